@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Collection, Sequence
 from contextlib import suppress
+from dataclasses import asdict
 from math import ceil, floor, isfinite, log10, pi
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,6 +21,7 @@ from torquerig.errors import InputError, RecordingError, TorquerigError, Unknown
 from torquerig.orders.kinematics.kinematic_lines import KinematicLine, Kinematics
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import open_stream
+from torquerig.recordings.files.gz import TEXT_ENDINGS
 from torquerig.recordings.files.stream import RecordingStream
 from torquerig.recordings.inspection.file_contents import file_contents
 from torquerig.recordings.inspection.recording_info import RecordingInfo, stream_info
@@ -41,16 +44,19 @@ LARGE = 2**26
 def command(*, recordings: tuple[Path, ...], as_json: bool, picture: Path | None, force: bool) -> None:
     """Show channels, rate, length, levels and speed of RECORDINGS, and their faults with sample numbers.
 
-    A folder stands for all recordings in it. Of a file that cannot be used as it is, info shows what is in it and what
-    is missing; torquerig sheet drafts the sidecar. Faults are gaps in time, samples without a number, clipping,
-    dropouts, spikes and constant stretches, and in the first stretch of a torque all faults that diagnose finds in
-    samples. A long recording is read block by block.
+    A folder stands for all recordings in it; texts without a table of numbers are listed as no recordings. Of a file
+    that cannot be used as it is, info shows what is in it and what is missing; torquerig sheet drafts the sidecar.
+    Faults are gaps in time, samples without a number, clipping, dropouts, spikes and constant stretches, and in the
+    first stretch of a torque all faults that diagnose finds in samples. A long recording is read block by block.
 
     Example: torquerig info run1.tdms
     """
     named = [path for one in recordings for path in recordings_in(one)]
     # info run.* names the sidecars too
     paths = [path for path in named if path.suffix.lower() != ".yaml" or len(named) == 1]
+    # a text in a folder may be anything: a licence, notes
+    folders = {one for one in recordings if one.is_dir()}
+    may_be_other = {path for path in paths if path.parent in folders and path.suffix.lower() in TEXT_ENDINGS}
     if picture is not None:
         from torquerig.reporting.figures.picture import check_picture
 
@@ -60,23 +66,44 @@ def command(*, recordings: tuple[Path, ...], as_json: bool, picture: Path | None
     if as_json:
         found = [_without_nan(_as_dict(path)) for path in paths]
         click.echo(json.dumps(found, indent=2, ensure_ascii=True, allow_nan=False))
-        unread = [one for one in found if "columns" not in one]
+        unread = [one for one in found if "columns" not in one and Path(one["path"]) not in may_be_other]
         if unread:
             raise RecordingError(f"{len(unread)} of {len(paths)} files cannot be read; the JSON says why")
         return
-    failed = 0
+    _show_all(paths, may_be_other, picture, force=force)
+
+
+def _show_all(paths: Sequence[Path], may_be_other: Collection[Path], picture: Path | None, *, force: bool) -> None:
+    """Print each file; raise at the end where some cannot be read, and at once where only one is named."""
+    failed, others = 0, []
     for count, path in enumerate(paths):
         if count:
             click.echo()
         try:
             _show(path, picture, force=force)
         except TorquerigError as error:
+            if path in may_be_other:
+                others.append(path.name)
+                click.echo(f"{path}: not a recording: {str(error).removeprefix(f'{path}: ')}")
+                continue
             if len(paths) == 1:
                 raise
             failed += 1
             click.echo(f"{path}: cannot be read: {error}")
+    if len(others) == len(paths):
+        raise RecordingError(f"none of the {len(paths)} files is a recording; the reasons are above")
     if failed:
         raise RecordingError(f"{failed} of {len(paths)} files cannot be read; the reasons are above")
+
+
+def _length(info: RecordingInfo) -> str:
+    """Return rate and length of a recording; where it has pauses, the rate between them and the whole time too."""
+    if info.pauses is None:
+        return f"{info.samples} samples at {info.sample_rate:g} Hz, {info.duration:g} s"
+    return (
+        f"{info.samples} samples at {info.sample_rate:g} Hz between pauses, {info.duration:g} s of them; "
+        f"{info.span:g} s from the first to the last sample"
+    )
 
 
 def _uses(stream: RecordingStream) -> dict[str, str]:
@@ -114,6 +141,8 @@ def _as_dict(path: Path) -> dict[str, Any]:
         "columns": columns,
         "notes": list(stream.table.notes),
         "sample_rate_Hz": info.sample_rate,
+        "span_s": info.span,
+        "pauses": None if info.pauses is None else asdict(info.pauses),
         "motor_speed_rpm": None if speed is None else speed * 30 / pi,
         "motor_speed": text,
         "suspicions": suspicions_in(info, head)[0],
@@ -139,7 +168,7 @@ def _show(path: Path, picture: Path | None, *, force: bool) -> None:
             raise
         show_contents(file_contents(path))
         return
-    click.echo(f"{path}: {info.samples} samples at {info.sample_rate:g} Hz, {info.duration:g} s")
+    click.echo(f"{path}: {_length(info)}")
     uses = _uses(stream)
     rows = [
         ["channel", "quantity", "unit", *(["use"] if uses else []), "minimum", "mean", "maximum", "std", "known by"]

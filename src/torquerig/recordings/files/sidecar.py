@@ -19,6 +19,7 @@ from torquerig.recordings.files.sidecar_schema import (
     WrittenSidecar,
     sidecar_schema,
 )
+from torquerig.recordings.quantities import OTHER
 from torquerig.recordings.recording import Channel
 from torquerig.recordings.run import Profile, Run
 from torquerig.recordings.tacho_statement import PULSES, tacho_conditions
@@ -180,20 +181,24 @@ def _refuse_unknown_conditions(document: Document) -> None:
 
 
 def _entry(document: Document, name: str, entry: WrittenChannel, scales: Mapping[str, Any]) -> ChannelEntry:
+    # what is kept and not used needs no unit
+    unit = "1" if entry.unit is None and entry.quantity == OTHER else entry.unit
+    if unit is None:
+        raise InputError(f"{document.place(('channels', name))}: the key 'unit' is missing; add it")
     if len(scales) > 1:
         raise InputError(
             f"{document.place(('channels', name))}: there are two scales, {' and '.join(scales)}; keep one of them"
         )
-    si_per_unit = known_si_per_unit(entry.quantity, entry.unit)
+    si_per_unit = known_si_per_unit(entry.quantity, unit)
     for key, number in scales.items():
         try:
-            si_per_unit = si_per_unit_from(key, number, quantity=entry.quantity, unit=entry.unit)
+            si_per_unit = si_per_unit_from(key, number, quantity=entry.quantity, unit=unit)
         except ValueError as error:
             raise InputError(f"{document.place(('channels', name, key))}: {error}") from None
     if si_per_unit is None:
-        raise InputError(f"{document.place(('channels', name, 'unit'))}: {missing_scale(entry.quantity, entry.unit)}")
+        raise InputError(f"{document.place(('channels', name, 'unit'))}: {missing_scale(entry.quantity, unit)}")
     return ChannelEntry(
-        quantity=entry.quantity, unit=entry.unit, si_per_unit=si_per_unit, truth=entry.truth, of=entry.of,
+        quantity=entry.quantity, unit=unit, si_per_unit=si_per_unit, truth=entry.truth, of=entry.of,
         role=entry.role, tare=entry.tare,
     )  # fmt: skip
 

@@ -75,7 +75,7 @@ class WrittenChannel:
     __pydantic_config__ = {"extra": "forbid"}  # noqa: RUF012 (pydantic's own protocol)
 
     quantity: Annotated[str, _Word(partial(_one_of, QUANTITIES, "quantity"))]
-    unit: str
+    unit: str | None = None
     truth: bool = False
     of: str | None = None
     role: Annotated[str, _Word(partial(_one_of, ROLES, "role"))] | None = None

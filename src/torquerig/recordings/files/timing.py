@@ -8,6 +8,7 @@ from math import ceil
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.recordings.files.gaps import has_pauses
 from torquerig.recordings.files.rate_changes import stretches_of_rates
 from torquerig.recordings.files.time_band import narrowest_band
 from torquerig.recordings.files.time_ticks import are_whole, rate_of_ticks
@@ -92,6 +93,8 @@ def timing_of(times: Floats, *, name: str, stated: float | None = None) -> Timin
     if worst <= _UNEVEN and steps.all():
         tolerance = max(1e-11, 2 * worst / (times.size - 1))
         return Timing(rate=shortest_rate(rate, tolerance=tolerance), uncertainty=tolerance)
+    if has_pauses(steps):
+        return _uneven(times, steps, worst)
     return (
         _in_ticks(times, name, stated)
         or _coarse(times, steps, name, stated)

@@ -11,13 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.recordings.files.blocks import Block, Blocking, uneven_times
-from torquerig.recordings.files.gaps import Gap, gaps_in
+from torquerig.recordings.files.gaps import FEWEST_SAMPLES, Gap, gaps_in
 from torquerig.recordings.files.stream import RecordingStream
 from torquerig.recordings.files.timebase import EVENLY
 from torquerig.recordings.files.timing import CHANGES
 from torquerig.recordings.inspection.channel_info import POSITIONS, ChannelInfo, channel_info
 from torquerig.recordings.inspection.channel_summary import LONGEST_DROPOUT, ChannelSummary, joined_summaries, summarise
 from torquerig.recordings.inspection.outliers import MARGIN
+from torquerig.recordings.inspection.pauses import Pauses, pauses_of, time_span
 from torquerig.recordings.inspection.runs import Run as SampleRun
 from torquerig.recordings.inspection.stretch_faults import StretchFaults
 from torquerig.recordings.quantities import OTHER
@@ -51,6 +52,16 @@ class RecordingInfo:
     uneven: str = ""
     summaries: Mapping[str, ChannelSummary] = field(default_factory=dict)
 
+    @property
+    def pauses(self) -> Pauses | None:
+        """The pauses of ten samples and more, None where there is none."""
+        return pauses_of(self.gaps, rate=self.sample_rate, samples=self.samples)
+
+    @property
+    def span(self) -> float:
+        """The time from the first to the last sample [s]: the duration, and what lies in pauses and lost samples."""
+        return time_span(self.gaps, rate=self.sample_rate, samples=self.samples)
+
     def __getitem__(self, name: str) -> ChannelInfo:
         return self.channels[name]
 
@@ -64,12 +75,16 @@ class RecordingInfo:
         Dropouts and clipping of the whole recording are named before the same of a stretch of it.
         """
         uneven = [f"{self.uneven}; {EVENLY}"] if self.uneven else []
-        gaps = [
+        paused = self.pauses
+        many = paused is not None and paused.count > _NAMED
+        jumps = [gap for gap in self.gaps if not (many and gap.step * self.sample_rate >= FEWEST_SAMPLES)]
+        gaps = [paused.sentence(self.time_name)] if many and paused is not None else []
+        gaps += [
             f"{self.time_name} jumps by {gap.step:.6g} s instead of {1 / self.sample_rate:.6g} s after sample "
             f"{gap.sample} ({gap.time:.6g} s)"
-            for gap in self.gaps[:_NAMED]
+            for gap in jumps[:_NAMED]
         ]
-        more = [f"{self.time_name} jumps {len(self.gaps) - _NAMED} more times"] if len(self.gaps) > _NAMED else []
+        more = [f"{self.time_name} jumps {len(jumps) - _NAMED} more times"] if len(jumps) > _NAMED else []
         return [
             *(uneven or [*gaps, *more]),
             *chain.from_iterable(self._of(name, one) for name, one in self.channels.items() if not one.truth),

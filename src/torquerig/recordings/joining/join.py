@@ -12,7 +12,7 @@ from torquerig.errors import InputError, RecordingError, did_you_mean
 from torquerig.recordings.files.number_table import distinct
 from torquerig.recordings.joining.alignment import shift_between
 from torquerig.recordings.joining.resampling import is_stepped, resampled
-from torquerig.recordings.joining.tracks import Track, Tracks, tracks_of
+from torquerig.recordings.joining.tracks import LONGEST_GAP, Track, Tracks, split_tracks, tracks_of
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
 
@@ -25,7 +25,9 @@ class Joined:
     notes: tuple[str, ...]
 
 
-def join_recordings(paths: Sequence[Path], *, rate: float | None = None, align: str = "start") -> Joined:
+def join_recordings(
+    paths: Sequence[Path], *, rate: float | None = None, align: str = "start", longest_gap: float = LONGEST_GAP
+) -> Joined:
     """Return the columns of the files as one recording at one rate, over the time that all of them cover.
 
     Parameters
@@ -37,13 +39,29 @@ def join_recordings(paths: Sequence[Path], *, rate: float | None = None, align: 
     align : str
         ``start``: all files begin at once; ``clock``: by their columns of times; else the name of a channel that all
         files have, by whose correlation they are shifted.
+    longest_gap : float
+        Longest pause that is bridged by straight lines [s].
 
     Raises
     ------
     InputError, RecordingError
         Files that cannot be read, have no common time, no such channel, or contradicting test conditions.
     """
-    files = [tracks_of(path) for path in paths]
+    return _joined([tracks_of(path, longest_gap=longest_gap) for path in paths], rate=rate, align=align)
+
+
+def split_recording(path: Path, *, rate: float | None = None, longest_gap: float = LONGEST_GAP) -> tuple[Joined, ...]:
+    """Return the stretches of one file between pauses longer than ``longest_gap`` [s], each as a recording.
+
+    ``rate`` [Hz] is common to all; the highest rate of the columns in the first stretch when not given.
+    """
+    parts = split_tracks(path, longest_gap=longest_gap)
+    common = rate or max(track.rate for track in parts[0].tracks.values())
+    return tuple(_joined([part], rate=common, align="start") for part in parts)
+
+
+def _joined(files: Sequence[Tracks], *, rate: float | None, align: str) -> Joined:
+    paths = [one.path for one in files]
     offsets, notes = _offsets(files, align)
     tracks = _named(files, offsets)
     common = rate or max(track.rate for track in tracks.values())

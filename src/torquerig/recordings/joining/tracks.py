@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.files.gaps import gaps_in
+from torquerig.recordings.files.gaps import FEWEST_SAMPLES, gaps_in
 from torquerig.recordings.files.long_format import refuse_long_format
 from torquerig.recordings.files.plain_names import pieces_with_plain_names
 from torquerig.recordings.files.rate_changes import Stretch, stretches_of_rates
 from torquerig.recordings.files.reading import channel_entries, check_readable
-from torquerig.recordings.files.sidecar import sidecar_path
+from torquerig.recordings.files.sidecar import ChannelEntry, Sidecar, sidecar_path
 from torquerig.recordings.files.sidecar_choice import sidecar_of
 from torquerig.recordings.files.stream import pieces_of_file
 from torquerig.recordings.files.table_pieces import TablePieces
@@ -25,6 +26,10 @@ from torquerig.recordings.files.timing import timing_of
 from torquerig.recordings.joining.resampling import resampled
 from torquerig.recordings.joining.track import Track
 from torquerig.recordings.run import Run
+
+LONGEST_GAP = 1.0
+"""Longest gap that is bridged unless another is stated [s]: in a longer one the rig may have moved."""
+_SHORTEST = 4  # fewest samples of a stretch that is a recording
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,16 +43,70 @@ class Tracks:
     notes: tuple[str, ...] = ()
 
 
-def tracks_of(path: Path) -> Tracks:
+@dataclass(frozen=True, kw_only=True)
+class _Columns:
+    """What a file holds: its columns, their times [s] where it has some, and what is stated of both."""
+
+    path: Path
+    values: Mapping[str, NDArray[np.float64]]
+    times: NDArray[np.float64] | None
+    time: str | None
+    table: TablePieces
+    sidecar: Sidecar | None
+    entries: Mapping[str, ChannelEntry]
+    notes: tuple[str, ...]
+
+
+def tracks_of(path: Path, *, longest_gap: float = LONGEST_GAP) -> Tracks:
     """Return the columns of a file, each with its own rate; unevenly stamped ones on the even grid of their rate.
 
-    Late stamps and gaps of at most one second are bridged by straight lines; ``notes`` says where.
+    Late stamps and gaps of at most ``longest_gap`` [s] are bridged by straight lines; ``notes`` says where.
 
     Raises
     ------
     InputError, RecordingError
         A file or sidecar that cannot be read, a column without a rate, samples that are not numbers, a longer gap.
     """
+    return _tracks(_columns(path), longest_gap=longest_gap)
+
+
+def split_tracks(path: Path, *, longest_gap: float = LONGEST_GAP) -> tuple[Tracks, ...]:
+    """Return the stretches of a file between its pauses, each with its columns as :func:`tracks_of` returns them.
+
+    A pause is a step of time longer than ``longest_gap`` [s] and than ten usual steps. A stretch of fewer than four
+    samples is left out; the notes of the first stretch count them.
+
+    Raises
+    ------
+    InputError, RecordingError
+        As :func:`tracks_of`, and for a file without times, or whose columns differ in length.
+    """
+    whole = _columns(path)
+    times = whole.times
+    if times is None or any(one.size != times.size for one in whole.values.values()):
+        raise RecordingError(f"{path}: it has no column of times for all samples, so that no pause is known; leave "
+                             "--split out")  # fmt: skip
+    _refuse_falling(times, str(whole.time), whole.path)
+    steps = np.diff(times)
+    pauses = np.flatnonzero(steps > max(longest_gap, FEWEST_SAMPLES * float(np.median(steps)))) + 1
+    edges = [0, *pauses.tolist(), times.size]
+    parts = [slice(first, last) for first, last in pairwise(edges) if last - first >= _SHORTEST]
+    if not parts:
+        raise RecordingError(f"{path}: no stretch between two pauses has {_SHORTEST} samples; fill the pauses with "
+                             "--bridge TIME instead")  # fmt: skip
+    left_out = len(edges) - 1 - len(parts)
+    said = (f"{whole.path.name}: {left_out} stretches of fewer than {_SHORTEST} samples are left out",) * bool(left_out)
+    found = []
+    for part in parts:
+        cut = replace(
+            whole, times=times[part], values={name: one[part] for name, one in whole.values.items()},
+            notes=whole.notes if found else (*whole.notes, *said),
+        )  # fmt: skip
+        found.append(_tracks(cut, longest_gap=longest_gap))
+    return tuple(found)
+
+
+def _columns(path: Path) -> _Columns:
     path = Path(path)
     check_readable(path)
     written = pieces_of_file(path)
@@ -67,8 +126,16 @@ def tracks_of(path: Path) -> Tracks:
     if times is not None:
         refuse_long_format(times, columns, skipped=table.skipped, name=str(time), where=str(path))
         times = _in_seconds(times, table, name=str(time), stated=stated, path=path)
+    return _Columns(
+        path=path, values=columns, times=times, time=time, table=table, sidecar=sidecar, entries=entries, notes=notes
+    )
+
+
+def _tracks(given: _Columns, *, longest_gap: float) -> Tracks:
+    path, columns, times, table, sidecar = given.path, given.values, given.times, given.table, given.sidecar
+    time, notes, stated = given.time, given.notes, given.sidecar.sample_rate if given.sidecar else None
     tracks: dict[str, Track] = {}
-    for name, entry in entries.items():
+    for name, entry in given.entries.items():
         rate = stated or table.rates.get(name)
         values, start = columns[name], table.starts.get(name, 0.0)
         _check_finite(name, values, path)
@@ -83,7 +150,7 @@ def tracks_of(path: Path) -> Tracks:
             bridged: tuple[str, ...] = (f"{path.name}: {timing.note}",) if timing.note else ()
             if timing.problem:
                 raw = Track(name=name, values=values, rate=rate, start=start, entry=entry)
-                values, bridged = _evenly(raw, times, name=str(time), path=path)
+                values, bridged = _evenly(raw, times, name=str(time), path=path, longest_gap=longest_gap)
             notes = notes if bridged and bridged[0] in notes else (*notes, *bridged)
         if rate is None:
             raise RecordingError(
@@ -109,7 +176,7 @@ def _in_seconds(
 
 
 def _evenly(
-    track: Track, times: NDArray[np.float64], *, name: str, path: Path
+    track: Track, times: NDArray[np.float64], *, name: str, path: Path, longest_gap: float
 ) -> tuple[NDArray[np.float64], tuple[str, ...]]:
     """Return the samples of uneven ``times`` [s], shape (samples,), on an even grid, and what was done."""
     _refuse_falling(times, name, path)
@@ -117,10 +184,12 @@ def _evenly(
     gaps = gaps_in(times, track.rate)
     worst = max(gaps, key=lambda gap: abs(gap.step), default=None)
     longest = max((1 / one.rate for one in stretches), default=0.0)
-    if worst is not None and worst.step > max(_LONGEST_GAP, 1.5 * longest):
+    if worst is not None and worst.step > max(longest_gap, 1.5 * longest):
         raise RecordingError(
             f"{path}: {name} jumps by {worst.step:.6g} s after sample {worst.sample} ({worst.time:.6g} s), too long "
-            f"to bridge (at most {_LONGEST_GAP:g} s); cut the file there"
+            f"to bridge (at most {longest_gap:g} s); where nothing moves in the pauses, fill them with "
+            f"--bridge '{_rounded_up(worst.step):g} s', else write each stretch as a recording with --split (pauses "
+            f"of {FEWEST_SAMPLES} usual steps and more)"
         )
     grid = times[0] + np.arange(int((times[-1] - times[0]) * track.rate + 0.5) + 1) / track.rate
     if stretches:
@@ -166,7 +235,12 @@ def _of_stretches(
 
 
 _ROUNDING = 1e-9  # [s]; of a time on the grid
-_LONGEST_GAP = 1.0  # [s]; what lies in a longer gap no straight line can stand for
+
+
+def _rounded_up(seconds: float) -> float:
+    """Return the time with two digits, not less than ``seconds``."""
+    step = 10.0 ** (np.floor(np.log10(seconds)) - 1)
+    return float(np.ceil(seconds / step) * step)
 
 
 def _check_finite(name: str, values: NDArray[np.float64], path: Path) -> None:
