@@ -152,19 +152,15 @@ def test_a_fault_of_the_samples_is_named_and_its_model_written(
 
 
 @pytest.mark.long
-def test_the_number_of_workers_changes_nothing(capsys: pytest.CaptureFixture[str]) -> None:
+def test_to_standard_output_goes_the_json_alone_and_the_number_of_workers_changes_nothing(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
     told = []
     for workers in ("1", "2"):
         main(("diagnose", "good.parquet", "--scenario", WEAR_RIG, "--json", "-", "--workers", workers))
         told.append(capsys.readouterr().out)
     assert told[0] == told[1]
-
-
-@pytest.mark.long
-def test_to_standard_output_goes_the_json_alone(capsys: pytest.CaptureFixture[str], folder: Path) -> None:
-    main(("diagnose", "good.parquet", "--scenario", WEAR_RIG, "--json", "-"))
-    told = capsys.readouterr()
-    data = json.loads(told.out)
+    data = json.loads(told[0])
     assert data["schema"] == "torquerig.diagnosis/1"
     assert data["verdict"] == "adequate"
     assert data["model"] is None

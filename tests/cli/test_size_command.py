@@ -76,7 +76,7 @@ def test_a_shell_that_cannot_be_written_is_refused_before_the_sizing(capsys, arg
 
 @pytest.mark.long
 def test_a_shell_of_a_table_profile_holds_the_motion(capsys):
-    table = "time_s,output_speed_rpm,torque_Nm\n0,0,1\n5,200,1\n60,200,3.8\n"
+    table = "time_s,output_speed_rpm,torque_Nm\n0,0,1\n1,200,1\n6,200,3.8\n"
     Path("cycle.csv").write_text(table, encoding="utf-8")
     drive = ("--motor", "HDS6A-0104A", "--gearbox", "reference-5-1")
     text = said(capsys, "size", WEAR_RIG, *drive, "--profile", "cycle.csv", "--shell", "drive.aasx")

@@ -56,7 +56,7 @@ def drawn_rig(scenario: Scenario, seed: int) -> Scenario:
     return replace(scenario, rig=rig)
 
 
-@pytest.mark.parametrize("seed", [11, 12])
+@pytest.mark.parametrize("seed", [11, pytest.param(12, marks=pytest.mark.full)])
 def test_wrong_numbers_are_not_missing_physics(seed: int, wear_rig: Scenario, three_runs: ThreeRuns) -> None:
     """Every uncertain number of the rig is drawn; what is left after calibration is chance."""
     made = diagnose(wear_rig, three_runs(drawn_rig(wear_rig, seed).rig, seed)).diagnosis
@@ -112,6 +112,7 @@ def test_a_fit_stays_within_its_limits_and_pays_for_its_way(known_rig: Scenario,
     assert again.cost <= still.cost
 
 
+@pytest.mark.full
 def test_the_same_input_and_seed_give_the_same_json(
     known_rig: Scenario, meshed: list[Recording], mesh_outcome: Outcome
 ) -> None:
