@@ -65,7 +65,7 @@ class Part:
     takes: ClassVar[tuple[type[HostChange], ...]] = ()
     """Changes that effects may make inside this part; it collects them by ``rig.changes_in(self.name)``."""
 
-    @property
+    @cached_property
     def host(self) -> str | None:
         """The part that an effect belongs to (its host), by one of ``HOST_FIELDS``; of a branch ``after``."""
         at = next((getattr(self, name) for name in HOST_FIELDS if hasattr(self, name)), None)
@@ -230,6 +230,8 @@ class Rig:
         return self._terms_by_part[part.name]
 
     def _with_housing(self, part: Part, terms: tuple[Term, ...]) -> tuple[Term, ...]:
+        if not self._housings:
+            return terms
         names = (part.name, getattr(part, "motor", None), part.host)
         motor = next((name for name in names if name in self._housings), None)
         if motor is None or part.acts_from_outside:
