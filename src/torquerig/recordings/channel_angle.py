@@ -71,13 +71,23 @@ def _unwrapped(channel: Channel) -> NDArray[np.float64]:
     return np.concatenate([values[:1], values[0] + np.cumsum(steps - wrap * np.round(steps / wrap))])
 
 
-def _smoothed(counts: NDArray[np.float64], rate: float) -> NDArray[np.float64]:
+def smoothing_reach(channel: Channel, rate: float) -> int:
+    """Return over how many samples on either side :func:`angle_of` takes the mean of a channel in counts."""
+    return _reach(_unwrapped(channel), rate)
+
+
+def _reach(counts: NDArray[np.float64], rate: float) -> int:
     per_sample = np.abs(counts[-1] - counts[0]) / (counts.size - 1)
     window = int(min(np.ceil(_COUNTS_SPANNED / max(per_sample, 1e-9)), _LONGEST_SMOOTHING * rate))
+    return max(window // 2, 2)
+
+
+def _smoothed(counts: NDArray[np.float64], rate: float) -> NDArray[np.float64]:
+    reach = _reach(counts, rate)
     deviation = _trend(counts)
     np.subtract(counts, deviation, out=deviation)
     # long recordings: as few arrays in memory at a time as possible
-    smooth = _even_mean(deviation, max(window // 2, 2))
+    smooth = _even_mean(deviation, reach)
     del deviation
     smooth += _trend(counts)
     return smooth

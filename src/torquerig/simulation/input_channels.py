@@ -16,6 +16,7 @@ from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import ImposedMotion, TorqueController
 from torquerig.rig.parts import ReplayedTorque as ReplayedPart
 from torquerig.rig.recorded_input import wanted_channel
+from torquerig.simulation.input_noise import noisy_speed
 
 DrivenPart = ImposedMotion | ReplayedPart | TorqueController
 
@@ -49,7 +50,10 @@ def with_inputs(rig: Rig, recording: Recording) -> Rig:
 
 
 def with_input_channels(recording: Recording, rig: Rig) -> Recording:
-    """Return a simulated recording with the channels that drove it, role: input, at its sample rate."""
+    """Return a simulated recording with the channels that drove it, role: input, at its sample rate.
+
+    ``origin["warnings"]`` states where the steps of a position put noise into the speed.
+    """
     if not isinstance(rig.run.inputs, Inputs):
         return recording
     given, time = rig.run.inputs.recording, recording.time()
@@ -59,6 +63,9 @@ def with_input_channels(recording: Recording, rig: Rig) -> Recording:
         channel = given.channels[name]
         values = _at(channel, given, time, recording.sample_rate)
         recording = recording.with_channel(kept, replace(channel, values=values, role="input"))
+        if isinstance(part, ImposedMotion) and (noise := noisy_speed(channel, given.sample_rate, name=name)):
+            warnings = [*recording.origin.get("warnings", ()), noise]
+            recording = replace(recording, origin={**recording.origin, "warnings": warnings})
     return recording
 
 

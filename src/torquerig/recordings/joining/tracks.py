@@ -96,7 +96,7 @@ def split_tracks(path: Path, *, longest_gap: float = LONGEST_GAP) -> tuple[Track
                              "--bridge TIME instead")  # fmt: skip
     left_out = len(edges) - 1 - len(parts)
     said = (f"{whole.path.name}: {left_out} stretches of fewer than {_SHORTEST} samples are left out",) * bool(left_out)
-    found = []
+    found: list[Tracks] = []
     for part in parts:
         cut = replace(
             whole, times=times[part], values={name: one[part] for name, one in whole.values.items()},
