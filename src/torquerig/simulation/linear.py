@@ -24,6 +24,13 @@ class Matrices:
     damping: NDArray[np.float64]
     stiffness: NDArray[np.float64]
 
+    def held_at(self, nodes: NDArray[np.int64]) -> Matrices:
+        """Return the matrices of the other nodes, where the numbers ``nodes`` follow an imposed motion."""
+        free = np.setdiff1d(np.arange(len(self.nodes)), nodes)
+        inner = np.ix_(free, free)
+        names = tuple(self.nodes[at] for at in free)
+        return Matrices(names, self.mass[inner], self.damping[inner], self.stiffness[inner])
+
     def undamped_frequencies(self) -> NDArray[np.float64]:
         """Return the natural frequencies without damping [Hz], ascending, rigid-body modes as 0."""
         from scipy.linalg import eigh

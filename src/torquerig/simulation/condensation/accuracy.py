@@ -9,7 +9,7 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.simulation.linear import matrices
+from torquerig.simulation.linear import Matrices, matrices
 from torquerig.simulation.lower import Lowered
 
 POINTS = 300  # frequencies of a response
@@ -47,7 +47,7 @@ def accuracy(full: Lowered, small: Lowered, *, band: float, acting: Sequence[str
     read : sequence of str
         Springs whose torque is read.
     """
-    before, after = (np.sort(matrices(one, stiffest=True).undamped_frequencies()) for one in (full, small))
+    before, after = (np.sort(_moving(one, stiffest=True).undamped_frequencies()) for one in (full, small))
     # rigid motions have no frequency; below a thousandth of the band they cannot be separated from one
     lows = [one[one > band * 10**-DECADES] for one in (before, after)]
     lows = [one[one < band] for one in lows]
@@ -57,31 +57,66 @@ def accuracy(full: Lowered, small: Lowered, *, band: float, acting: Sequence[str
     want, have = (_responses(one, frequencies, acting=acting, read=read) for one in (full, small))
     size = np.sqrt(np.mean(np.abs(want) ** 2, axis=0))
     change = np.sqrt(np.mean(np.abs(have - want) ** 2, axis=0))
+    imposed = _imposed_among(acting, full)
     return Accuracy(
         band=band,
         shift=float(shift.max(initial=0.0)),
-        # a node that hardly moves what is read is judged by the one that moves it most
-        response=float((change.max(axis=1) / np.maximum(size.max(axis=1), 1e-300)).max(initial=0.0)),
+        response=max(_worst(change[:, kind], size[:, kind]) for kind in (imposed, ~imposed)),
         fastest=(fastest_motion(full), fastest_motion(small)),
     )
 
 
 def fastest_motion(lowered: Lowered) -> float:
-    """Return ``|root| / 2 pi`` [Hz] of the fastest motion, an oscillation or a decay."""
-    return float(np.abs(np.linalg.eigvals(matrices(lowered, stiffest=True).state_matrix())).max()) / (2 * pi)
+    """Return ``|root| / 2 pi`` [Hz] of the fastest motion, an oscillation or a decay; imposed motions are none."""
+    system = _moving(lowered, stiffest=True)
+    return float(np.abs(np.linalg.eigvals(system.state_matrix())).max()) / (2 * pi) if system.nodes else 0.0
+
+
+def _held(lowered: Lowered) -> NDArray[np.int64]:
+    """Return the numbers of the nodes whose motion is imposed."""
+    on = [lowered.node(term.on) for term in lowered.imposed_terms if not term.released]
+    return np.array([at for at in on if at < len(lowered.nodes)], dtype=np.int64)
+
+
+def _moving(lowered: Lowered, *, stiffest: bool = False) -> Matrices:
+    """Return the matrices of the nodes that move freely."""
+    return matrices(lowered, stiffest=stiffest).held_at(_held(lowered))
+
+
+def _imposed_among(acting: Sequence[str], lowered: Lowered) -> NDArray[np.bool_]:
+    """Return which of the acting nodes follow an imposed motion."""
+    held = {lowered.nodes[at] for at in _held(lowered)}
+    return np.array([name in held for name in acting], dtype=bool)
+
+
+def _worst(change: NDArray[np.float64], size: NDArray[np.float64]) -> float:
+    """Return the largest change of a read spring [1], shape (springs, nodes).
+
+    A node that hardly moves what is read is judged by the one that moves it most.
+    """
+    if not change.size:
+        return 0.0
+    return float((change.max(axis=1) / np.maximum(size.max(axis=1), 1e-300)).max(initial=0.0))
 
 
 def _responses(
     lowered: Lowered, frequencies: NDArray[np.float64], *, acting: Sequence[str], read: Sequence[str]
 ) -> NDArray[np.complex128]:
-    """Return the torque in each read spring per torque on each acting node, shape (frequencies, springs, nodes)."""
-    system, springs = matrices(lowered), lowered.arrays.springs
+    """Return the torque in each read spring, shape (frequencies, springs, nodes).
+
+    Per torque on each acting node, or per angle of one whose motion is imposed.
+    """
+    system, springs, held = matrices(lowered), lowered.arrays.springs, _held(lowered)
     s = 2j * pi * frequencies[:, None, None]
-    pushed = np.zeros((len(lowered.nodes), len(acting)))
+    pushed, moved = np.zeros((len(lowered.nodes), len(acting))), np.zeros((len(lowered.nodes), len(acting)))
     for column, name in enumerate(acting):
         if (row := lowered.node(name)) < len(lowered.nodes):
-            pushed[row, column] = 1.0
-    angles = np.linalg.solve(s**2 * system.mass + s * system.damping + system.stiffness, pushed.astype(np.complex128))
+            (moved if row in held else pushed)[row, column] = 1.0
+    free = np.setdiff1d(np.arange(len(lowered.nodes)), held)
+    dynamic = s**2 * system.mass + s * system.damping + system.stiffness
+    angles = np.broadcast_to(moved, (frequencies.size, *moved.shape)).astype(np.complex128)
+    driven = pushed[free] - dynamic[:, free, :] @ moved.astype(np.complex128)
+    angles[:, free, :] = np.linalg.solve(dynamic[:, free[:, None], free], driven)
     angles = np.concatenate([angles, np.zeros((frequencies.size, 1, len(acting)))], axis=1)
     rows = [lowered.spring(name) for name in read]
     twist = angles[:, springs.a[rows], :] * springs.inverse_ratio[rows][:, None] - angles[:, springs.b[rows], :]

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from math import pi, sqrt
 
 from torquerig.rig.assembly import Rig
-from torquerig.rig.terms import GROUND, Inertia, Spring, Term
+from torquerig.rig.terms import GROUND, ImposedMotion, Inertia, Spring, Term
 from torquerig.simulation import kernel
 from torquerig.simulation.condensation.accuracy import Accuracy, accuracy, fastest_motion
 from torquerig.simulation.condensation.partial_systems import ShaftLine, is_drag
@@ -92,7 +92,8 @@ def _bound(terms: tuple[Term, ...]) -> float:
             for node, square in ((term.a, term.ratio**2), (term.b, 1.0)):
                 stiffnesses[node] += term.stiffness / square
                 dampings[node] += term.damping / square
-    moving = [node for node in stiffnesses if inertias[node] > 0 and node != GROUND]
+    held = {term.on for term in terms if isinstance(term, ImposedMotion) and not term.released}
+    moving = [node for node in stiffnesses if inertias[node] > 0 and node != GROUND and node not in held]
     square = 2 * max((stiffnesses[node] / inertias[node] for node in moving), default=0.0)
     half = max((dampings[node] / inertias[node] for node in moving), default=0.0)
     return (half + sqrt(half**2 + square)) / (2 * pi)
