@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from math import exp, inf, isfinite, log, sqrt
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from torquerig.errors import UnitError
 from torquerig.units import IN_A_LINE, in_unit, parse_quantity, unreasonable, with_unit, written_quantity
 
 if TYPE_CHECKING:
-    import numpy as np
     from pydantic import GetCoreSchemaHandler, ValidationInfo
     from pydantic_core import CoreSchema
 
@@ -25,6 +24,19 @@ EVIDENCE = {
     "FIT": "fitted to recordings",
     "CLASS": "not stated by the maker; the interval of the class that the entry names",
 }
+
+
+class RandomNumbers(Protocol):
+    """The part of ``numpy.random.Generator`` by which values are drawn."""
+
+    def uniform(self, low: float = 0.0, high: float = 1.0, /) -> float:
+        """Return a number between low and high."""
+
+    def standard_normal(self) -> float:
+        """Return a number of the standard normal distribution."""
+
+    def choice(self, choices: Any, /) -> Any:
+        """Return one of the choices."""
 
 
 @dataclass(frozen=True)
@@ -90,7 +102,7 @@ class Estimate:
         low, high = self.bounds
         return sqrt(low * high) if low > 0 and high / low > 5 else 0.5 * (low + high)
 
-    def draw(self, rng: np.random.Generator) -> float:
+    def draw(self, rng: RandomNumbers) -> float:
         """Return one random sample [SI]; a documented value is returned unchanged."""
         if self.choices:
             return float(rng.choice(self.choices))

@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from math import exp, log, pi, sqrt
 
+from torquerig.catalog.chosen_draws import draws_of
 from torquerig.catalog.motor import Motor
 from torquerig.catalog.sampling import Sample
 from torquerig.errors import InputError
 from torquerig.parameter import Estimate
-from torquerig.recordings.recording import random_for
 from torquerig.units import in_unit
 
 VOLTAGE_RESERVE = 1.1  # [1] DC link over the need of the largest speed at rated torque, if no supply is stated
@@ -53,7 +53,7 @@ def sample_phases(sample: Sample[Motor], seed: int) -> PhaseSample:
     motor = sample.entry
     if motor.kind == "induction":
         raise InputError(f"{motor.name}: an induction motor has no back-EMF of magnets; remove from_phase_level")
-    rank = float(random_for(seed, f"{motor.stands_for or motor.name}.turns").uniform())
+    rank = float(draws_of(seed, f"{motor.stands_for or motor.name}.turns").uniform())
     wound, assumed = {}, {}
     for field in WOUND:
         known: Estimate = getattr(motor, field)

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
+from torquerig.catalog.chosen_draws import draws_of
 from torquerig.catalog.entry import Entry, counts_of, estimates
 from torquerig.catalog.gearbox import Gearbox
 from torquerig.catalog.motor import Motor
@@ -14,7 +15,6 @@ from torquerig.errors import InputError
 from torquerig.machines.winding import winding_pairs
 from torquerig.orders.kinematics.teeth import Teeth
 from torquerig.parameter import Estimate
-from torquerig.recordings.recording import random_for
 
 AnyEntry = TypeVar("AnyEntry", bound=Entry)
 
@@ -66,12 +66,12 @@ def sample_entry(entry: AnyEntry, seed: int) -> Sample[AnyEntry]:
     sampled as a pair that has a winding.
     """
     values = {
-        field: estimate.draw(random_for(seed, f"{_origin(entry)}.{_draw_name(field)}"))
+        field: estimate.draw(draws_of(seed, f"{_origin(entry)}.{_draw_name(field)}"))
         for field, estimate in _known(entry)
     }
     values |= _divided_friction(entry, values)
     if pairs := _pairs(entry):
-        at = int(random_for(seed, f"{_origin(entry)}.winding").integers(len(pairs)))
+        at = int(draws_of(seed, f"{_origin(entry)}.winding").integers(len(pairs)))
         values |= _as_values(pairs[at])
     return Sample(entry, values, _assumed(entry, values))
 
@@ -88,7 +88,7 @@ def nominal(entry: AnyEntry) -> Sample[AnyEntry]:
 def sample_teeth(gearbox: Gearbox, seed: int) -> Teeth | None:
     """Return one random tooth set of the gearbox; None where its teeth are unknown."""
     sets = gearbox.tooth_sets()
-    return sets[int(random_for(seed, f"{gearbox.name}.teeth").integers(len(sets)))] if sets else None
+    return sets[int(draws_of(seed, f"{gearbox.name}.teeth").integers(len(sets)))] if sets else None
 
 
 def _known(entry: Entry) -> Iterator[tuple[str, Estimate]]:

@@ -1,7 +1,7 @@
 """The command line: one command per file, each imported only when it is called.
 
 init  catalog  orders  ordermap  modes  simulate  duty  size  synth  info  sheet  join  filter  matrix  diagnose
-reference-results  reference-decision  compare
+reference-results  reference-decision  study  compare
 """
 
 from __future__ import annotations
@@ -34,6 +34,7 @@ COMMANDS = {
     "diagnose": "find physics that recordings show and the model of the rig lacks",
     "reference-results": "compare the simulated rig with the results of the reference report",
     "reference-decision": "compute the motor decision of the reference report again, cell by cell",
+    "study": "repeat a study for many draws of what data sheets leave open",
     "compare": "simulate and rank every motor x gearbox x filter of a study",
 }
 _RENAMED = {"seed-results": "reference-results", "seed-decision": "reference-decision"}

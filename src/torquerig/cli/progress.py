@@ -5,9 +5,13 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
 from torquerig.cli.console import terminal
 from torquerig.harmless import harmless
+
+if TYPE_CHECKING:
+    from torquerig.cases import Progress as CaseProgress
 
 
 @contextmanager
@@ -38,6 +42,19 @@ def drive_progress(title: str) -> Iterator[Callable[[int, int, str], None]]:
     with Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task(title, total=None, name="")
         yield lambda done, total, name: bar.update(task, completed=done, total=total, name=harmless(name))
+
+
+@contextmanager
+def case_progress(title: str) -> Iterator[Callable[[CaseProgress], None]]:
+    """Yield a function that shows how many cases of a stored study are done, from the first one that is computed."""
+    with drive_progress(title) as shown:
+
+        def progress(now: CaseProgress) -> None:
+            left = "" if now.remaining is None else f"some {now.remaining:.0f} s remain"
+            failed = f"{now.failed} failed" if now.failed else ""
+            shown(now.done, now.total, ", ".join(word for word in (left, failed) if word))
+
+        yield progress
 
 
 @contextmanager

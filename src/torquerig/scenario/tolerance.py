@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from math import inf, isfinite, sqrt
 from typing import Any
 
+from torquerig.catalog.chosen_draws import draws_of
 from torquerig.errors import UnitError
 from torquerig.parameter import Estimate, Parameter
-from torquerig.recordings.recording import random_for
 from torquerig.units import in_unit, parse_quantity, written_quantity
 
 _SIGN = r"(?:±|\+/-|\+-)"
@@ -147,7 +147,7 @@ def _interval(written: Mapping[str, Any], text: NumberText, *, name: str, seed: 
         raise ValueError(f"low {written['low']!r} is above high {written['high']!r}; exchange them")
     if "value" in written:
         return _within(written, low, high, text)
-    number = Estimate(low=low, high=high).draw(random_for(seed, name))
+    number = Estimate(low=low, high=high).draw(draws_of(seed, name))
     known = _known(number, low, high, text.unit)
     return Uncertain(
         written=text.write(number), known=known, assumed=f"{text.shown(number)} of {text.interval(low, high)}"

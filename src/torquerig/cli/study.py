@@ -1,0 +1,81 @@
+"""``torquerig study``: thousands of draws of what the data sheets leave open, stored and resumed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from torquerig.catalog.search import catalog_for
+from torquerig.cli.common_options import catalog_option, set_option
+from torquerig.cli.progress import case_progress
+from torquerig.document import read_document
+from torquerig.plain_table import wrapped
+from torquerig.reporting.study.draws_text import answer_text, convergence_text, left_out_text, ranked_draws_text
+from torquerig.scenario.overrides import overridden
+from torquerig.study.definition import open_study
+
+if TYPE_CHECKING:
+    from torquerig.cases.block import Engine
+
+
+@click.command("study")
+@click.argument("scenario", type=click.Path(path_type=Path))
+@click.option("--draws", type=click.IntRange(1), default=1000, show_default=True,
+              help="Monte Carlo draws of each drive from the catalog's intervals.")  # fmt: skip
+@click.option("--store", type=click.Path(path_type=Path), default=None,
+              help="Folder of the results, for later calls to go on from; default studies/NAME-OF-SCENARIO.")  # fmt: skip
+@click.option("--workers", type=click.IntRange(1), default=None, help="Processes. Default: one per core.")
+@click.option("--cluster", default=None, metavar="ADDRESS",
+              help="Compute on a Dask cluster, such as tcp://host:8786, in place of this machine.")  # fmt: skip
+@set_option
+@catalog_option
+def command(
+    *, scenario: Path, draws: int, store: Path | None, workers: int | None, cluster: str | None,
+    settings: tuple[str, ...], catalogs: tuple[Path, ...],
+) -> None:  # fmt: skip
+    """Compute the distribution of the reading error and of the ranking of SCENARIO's study over many draws.
+
+    What is computed is kept in the store: a call that was stopped goes on where it was, and more draws are added to
+    those that are there.
+
+    Example: torquerig study scenarios/wear_rig.yaml --draws 1000 --set study.duration=2s
+    """
+    from torquerig.study.monte_carlo.drawn_study import drawn_study
+    from torquerig.study.monte_carlo.running import run_draws
+
+    if cluster is not None and workers is not None:
+        raise click.UsageError("--workers is for this machine; a cluster has its own, so leave one of the two out")
+    document = overridden(read_document(scenario), settings)
+    drawn = drawn_study(open_study(document, catalog_for(scenario, catalogs)))
+    with case_progress(f"{draws} draws of {len(drawn.drives)} drives") as progress:
+        found = run_draws(
+            drawn, draws, folder=store or Path("studies") / scenario.stem, engine=_engine(workers, cluster),
+            progress=progress,
+        )  # fmt: skip
+    click.echo(wrapped(answer_text(drawn, found.ranking)) + "\n")
+    click.echo(ranked_draws_text(drawn, found.ranking, found.tables))
+    for text in (convergence_text(found.ranking), left_out_text(drawn, found.ranking), *found.run.notes):
+        if text:
+            click.echo("\n" + text)
+    run = found.run
+    gone = (
+        f", {run.failed} failed and {run.unfinished} unfinished (see the column error)"
+        if run.failed or run.unfinished
+        else ""
+    )
+    click.echo(
+        f"\n{run.total} cases, {run.computed} of them computed now in {run.seconds:.1f} s{gone if run.failed + run.unfinished else ''}"
+    )
+    click.echo(f"rows: {run.folder}/rows/*.parquet")
+
+
+def _engine(workers: int | None, cluster: str | None) -> Engine:
+    from torquerig.cases import ThisMachine
+
+    if cluster is None:
+        return ThisMachine(workers)
+    from torquerig.cases.cluster import Cluster
+
+    return Cluster(cluster)

@@ -1,0 +1,76 @@
+"""The distribution and the ranking of many draws as text."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.plain_table import grid, wrapped
+from torquerig.study.monte_carlo.distribution import distribution, share_uncertainty
+from torquerig.study.monte_carlo.drawn_study import DrawnStudy, error_column
+from torquerig.study.monte_carlo.ranking import Ranking
+
+Floats = NDArray[np.float64]
+CLEAR = 0.9  # [1] share of the draws from which on a drive is called the best one
+
+
+def answer_text(drawn: DrawnStudy, ranking: Ranking) -> str:
+    """Return what the draws say of the choice, in a few sentences."""
+    draws = len(ranking.totals)
+    if not ranking.combinations:
+        return f"No drive meets the requirements: {_listed(ranking.eliminated)}."
+    shares = ranking.drive_shares()
+    first, share = next(iter(shares.items()))
+    filtering = next(pair[1] for pair in ranking.shares() if pair[0] == first)
+    within = f"{share:.0%} of {draws} draws (± {share_uncertainty(share, draws):.1%})"
+    if share >= CLEAR:
+        return f"{first} with the filter {filtering} is the best choice: it is first in {within}."
+    others = [f"{name} ({part:.0%})" for name, part in list(shares.items())[1:4] if part >= 0.005]
+    named = f"; then come {', '.join(others)}" if others else ""
+    return f"No drive is clearly best: what the data sheets leave open decides. {first} is first in {within}{named}."
+
+
+def ranked_draws_text(drawn: DrawnStudy, ranking: Ranking, tables: Mapping[str, Floats]) -> str:
+    """Return the combinations by the share of draws in which they are best, with their reading errors."""
+    unit, drives = drawn.study.effort_unit.replace("*", " "), list(drawn.drives)
+    rows = [["combination", "best %", f"reading error {unit}: median", "5 %", "95 %", "median known to %"]]
+    for (drive, filtering), share in ranking.shares().items():
+        found = distribution(tables[error_column(filtering)][drives.index(drive)])
+        if found is None:
+            rows.append([f"{drive} | {filtering}", f"{100 * share:.1f}", "-", "-", "-", "-"])
+            continue
+        rows.append(
+            [
+                f"{drive} | {filtering}", f"{100 * share:.1f}", f"{found.median:.4f}", f"{found.low:.4f}",
+                f"{found.high:.4f}", f"{100 * found.uncertainty:.1f}",
+            ]
+        )  # fmt: skip
+    return grid(rows)
+
+
+def left_out_text(drawn: DrawnStudy, ranking: Ranking) -> str:
+    """Return the drives that are not ranked, with the reason; empty for none."""
+    parts = []
+    if drawn.left_out:
+        parts.append(f"Not simulated: {_listed(drawn.left_out)}.")
+    if ranking.eliminated:
+        parts.append(f"Eliminated by a requirement: {_listed(ranking.eliminated)}.")
+    return "\n".join(wrapped(part) for part in parts)
+
+
+def convergence_text(ranking: Ranking) -> str:
+    """Return how the share of the first drive settles with the number of draws: after a quarter, a half, and all."""
+    draws = len(ranking.totals)
+    shares = ranking.drive_shares()
+    if draws < 4 or not shares:
+        return ""
+    first = next(iter(shares))
+    is_first = np.array([ranking.combinations[at][0] == first for at in ranking.best])
+    steps = [f"{is_first[:count].mean():.1%} after {count}" for count in (draws // 4, draws // 2, draws)]
+    return f"Share of draws in which {first} is best: {', '.join(steps)}."
+
+
+def _listed(reasons: Mapping[str, str]) -> str:
+    return "; ".join(f"{name} ({why})" for name, why in reasons.items())

@@ -1,0 +1,94 @@
+"""The figures of drives at one draw each, by the compiled batch."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from torquerig.cases import Case, Failed
+from torquerig.cases.case import Scalar
+from torquerig.catalog.chosen_draws import ChosenDraws
+from torquerig.errors import InputError
+from torquerig.filters.chains.all_chains import filtered_by
+from torquerig.metrics.shares import DISTURBANCES, sensed
+from torquerig.metrics.truth_error import truth_error
+from torquerig.recordings.recording import Recording
+from torquerig.scenario.model import Scenario
+from torquerig.simulation.batch import simulate_part
+from torquerig.simulation.batch_parts import BatchRun, alike
+from torquerig.simulation.inputs import Span
+from torquerig.study.candidates import scenario_of
+from torquerig.study.monte_carlo.drawn_study import DrawnStudy, error_column, residual_column
+from torquerig.study.planned_drive import settling_of
+from torquerig.study.preflight import out_of_reach
+
+Row = Mapping[str, Scalar]
+
+
+@dataclass(frozen=True)
+class _Drawn:
+    """One case with its rig, and its rows of the batch: with and, where a criterion needs it, without lines."""
+
+    scenario: Scenario
+    runs: tuple[BatchRun, ...]
+
+
+def drawn_rows(drawn: DrawnStudy, cases: Sequence[Case]) -> list[Row | Failed]:
+    """Return the figures of each case: reading error behind each filter, and what else a criterion uses.
+
+    All cases have the load of the study's seed; their draws change the drive. A block of eight cases of one drive fills
+    the vector registers.
+    """
+    made = [_drawn(drawn, case) for case in cases]
+    runs = [run for one in made if isinstance(one, _Drawn) for run in one.runs]
+    recordings: dict[int, Recording] = {}
+    for part in alike(runs):
+        found = simulate_part([runs[row] for row in part], draws=drawn.loads)
+        recordings |= {id(runs[row]): one for row, one in zip(part, found, strict=True)}
+    return [
+        _measured(drawn, one, [recordings.pop(id(run)) for run in one.runs]) if isinstance(one, _Drawn) else one
+        for one in made
+    ]
+
+
+def _drawn(drawn: DrawnStudy, case: Case) -> _Drawn | Row | Failed:
+    study, name = drawn.study, str(case.values["drive"])
+    stated = case.values.get("quantiles")
+    seed = ChosenDraws(case.seed, json.loads(str(stated))) if stated else case.seed
+    candidate = drawn.drives[name]
+    try:
+        scenario = scenario_of(candidate, study, seed=seed)
+    except InputError as error:
+        return Failed(str(error))
+    reason = out_of_reach(candidate, scenario, study)
+    if reason:
+        return {"out_of_reach": reason}
+    settings, rig = study.settings, scenario.rig
+    span = Span.of(
+        duration=settings.duration, seed=settings.seed, rate=scenario.recording.sample_rate,
+        settling=max(scenario.recording.settling, settling_of(settings.speed_loop)),
+        wander=scenario.operating_point.slow_speed_wander,
+        phase_seed=None if case.seed == settings.seed else case.seed,
+    )  # fmt: skip
+    runs = [BatchRun.of(rig, span)]
+    if drawn.metrics & {"disturbance", "residual_disturbance"}:
+        quiet = replace(rig, parts=tuple(part for part in rig.parts if part.group not in DISTURBANCES))
+        runs.append(BatchRun.of(quiet, span, staged="residual_disturbance" in drawn.metrics))
+    return _Drawn(scenario, tuple(runs))
+
+
+def _measured(drawn: DrawnStudy, one: _Drawn, recordings: Sequence[Recording]) -> Row:
+    whole, *quiet = recordings
+    chains = drawn.study.chains(one.scenario)
+    calm = dict(filtered_by(chains, quiet[0])) if "residual_disturbance" in drawn.metrics else {}
+    row: dict[str, Scalar] = {}
+    for name, after in filtered_by(chains, whole):
+        row[error_column(name)] = truth_error(after, whole)
+        if calm:
+            row[residual_column(name)] = float(np.std(after.torque() - calm[name].torque()))
+    if "disturbance" in drawn.metrics:
+        row["disturbance"] = float(np.std(sensed(whole) - sensed(quiet[0])))
+    return row

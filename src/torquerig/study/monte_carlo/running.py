@@ -1,0 +1,47 @@
+"""Run a study of many draws into its store, and read it back as tables."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from torquerig.cases import Limits, Progress, StudyRun, run_cases
+from torquerig.cases.block import Engine
+from torquerig.study.monte_carlo.drawn_case import drawn_rows
+from torquerig.study.monte_carlo.drawn_study import DrawnStudy, cases_of_draws
+from torquerig.study.monte_carlo.ranking import Floats, Ranking, rating_of, tables_of
+
+BLOCK = 8  # cases: as many rigs as the vector registers hold
+SECONDS = 600.0  # [s] on the clock after which a case is given up; one takes some 0.05 s
+
+
+@dataclass(frozen=True)
+class Draws:
+    """The draws of a study: the run that computed or found them, their tables, and the ranking."""
+
+    run: StudyRun
+    tables: dict[str, Floats]
+    ranking: Ranking
+
+
+def run_draws(
+    drawn: DrawnStudy, draws: int, *, folder: Path, engine: Engine | None = None,
+    progress: Callable[[Progress], None] | None = None,
+) -> Draws:  # fmt: skip
+    """Compute the draws that the store lacks, and return all of them.
+
+    Raises
+    ------
+    InputError
+        For a store of another study, and as :func:`torquerig.cases.run_cases`.
+    """
+    rating = rating_of(drawn)
+    cases = cases_of_draws(drawn, draws)
+    run = run_cases(
+        drawn_rows, drawn, cases, folder=folder, identity=drawn.identity("draws"), engine=engine, block_size=BLOCK,
+        limits=Limits(seconds=SECONDS), progress=progress,
+    )  # fmt: skip
+    rows = run.rows()
+    tables = tables_of(drawn, rows[rows["draw"] < draws])
+    return Draws(run, tables, rating.ranking(tables))
