@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 @click.option("--draws", type=click.IntRange(1), default=1000, show_default=True,
               help="Monte Carlo draws of each drive from the catalog's intervals.")  # fmt: skip
 @click.option("--store", type=click.Path(path_type=Path), default=None,
-              help="Folder of the results, for later calls to go on from; default studies/NAME-OF-SCENARIO.")  # fmt: skip
+              help="Folder of the results, which later calls continue; default studies/NAME-OF-SCENARIO.")  # fmt: skip
 @click.option("--workers", type=click.IntRange(1), default=None, help="Processes. Default: one per core.")
 @click.option("--cluster", default=None, metavar="ADDRESS",
               help="Compute on a Dask cluster, such as tcp://host:8786, in place of this machine.")  # fmt: skip
@@ -60,14 +60,9 @@ def command(
         if text:
             click.echo("\n" + text)
     run = found.run
-    gone = (
-        f", {run.failed} failed and {run.unfinished} unfinished (see the column error)"
-        if run.failed or run.unfinished
-        else ""
-    )
-    click.echo(
-        f"\n{run.total} cases, {run.computed} of them computed now in {run.seconds:.1f} s{gone if run.failed + run.unfinished else ''}"
-    )
+    click.echo(f"\n{run.total} cases, {run.computed} of them computed now in {run.seconds:.1f} s")
+    if run.failed or run.unfinished:
+        click.echo(f"{run.failed} cases failed and {run.unfinished} are unfinished: see the column error")
     click.echo(f"rows: {run.folder}/rows/*.parquet")
 
 
