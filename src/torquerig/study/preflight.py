@@ -43,11 +43,16 @@ def check_study(study: Study, scenarios: Mapping[Candidate, Scenario]) -> None:
 
 def out_of_reach(candidate: Candidate, scenario: Scenario, study: Study) -> str:
     """Return why a drive cannot reach the speed, torque or voltage of its run, or hold a speed; empty where it can."""
+    too_much = beyond_the_drive(candidate, scenario, study)
+    margin = None if too_much else margin_of(scenario, study)
+    return too_much or ("" if margin is None else margin.fault)
+
+
+def beyond_the_drive(candidate: Candidate, scenario: Scenario, study: Study) -> str:
+    """Return which speed, torque or voltage of its run a drive cannot reach; empty for none."""
     demand = drive_requirement(scenario.rig, duration=study.settings.duration)
     faults = requirement_faults(demand, scenario.rig, study.catalog.motor(candidate.motor))
-    impossible = next((fault.text for fault in faults if fault.impossible), "")
-    margin = None if impossible else margin_of(scenario, study)
-    return impossible or ("" if margin is None else margin.fault)
+    return next((fault.text for fault in faults if fault.impossible), "")
 
 
 def margin_of(scenario: Scenario, study: Study) -> LoopMargin | None:

@@ -23,7 +23,7 @@ from torquerig.simulation.inputs import Span
 from torquerig.study.candidates import scenario_of
 from torquerig.study.monte_carlo.drawn_study import DrawnStudy, error_column, residual_column
 from torquerig.study.planned_drive import settling_of
-from torquerig.study.preflight import out_of_reach
+from torquerig.study.preflight import beyond_the_drive
 
 Row = Mapping[str, Scalar]
 
@@ -39,8 +39,8 @@ class _Drawn:
 def drawn_rows(drawn: DrawnStudy, cases: Sequence[Case]) -> list[Row | Failed]:
     """Return the figures of each case: reading error behind each filter, and what else a criterion uses.
 
-    All cases have the load of the study's seed; their draws change the drive. A block of eight cases of one drive fills
-    the vector registers.
+    All cases have the load of the study's seed; their draws change the drive. Whether the speed loop is stable is
+    checked for the first sample of a drive only. Cases of one drive fill the vector registers best.
     """
     made = [_drawn(drawn, case) for case in cases]
     runs = [run for one in made if isinstance(one, _Drawn) for run in one.runs]
@@ -63,7 +63,7 @@ def _drawn(drawn: DrawnStudy, case: Case) -> _Drawn | Row | Failed:
         scenario = scenario_of(candidate, study, seed=seed)
     except InputError as error:
         return Failed(str(error))
-    reason = out_of_reach(candidate, scenario, study)
+    reason = beyond_the_drive(candidate, scenario, study)
     if reason:
         return {"out_of_reach": reason}
     settings, rig = study.settings, scenario.rig

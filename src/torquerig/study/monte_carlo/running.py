@@ -8,11 +8,14 @@ from pathlib import Path
 
 from torquerig.cases import Limits, Progress, StudyRun, run_cases
 from torquerig.cases.block import Engine
+from torquerig.study.candidates import scenario_of
 from torquerig.study.monte_carlo.drawn_case import drawn_rows
 from torquerig.study.monte_carlo.drawn_study import DrawnStudy, cases_of_draws
 from torquerig.study.monte_carlo.ranking import Floats, Ranking, rating_of, tables_of
 
-BLOCK = 8  # cases: as many rigs as the vector registers hold
+LANES = 8  # rigs that the vector registers hold
+LARGEST_BLOCK = 64  # cases; with drawn pole pairs and slots few rigs of eight are alike
+SAMPLES = 3_000_000  # of all cases of a block: some 200 MB of recordings in each worker
 SECONDS = 600.0  # [s] on the clock after which a case is given up; one takes some 0.05 s
 
 
@@ -26,10 +29,12 @@ class Draws:
 
 
 def run_draws(
-    drawn: DrawnStudy, draws: int, *, folder: Path, engine: Engine | None = None,
+    drawn: DrawnStudy, draws: int, *, folder: Path, engine: Engine | None = None, seconds: float | None = SECONDS,
     progress: Callable[[Progress], None] | None = None,
 ) -> Draws:  # fmt: skip
     """Compute the draws that the store lacks, and return all of them.
+
+    A case is given up, and tried again by the next call, after ``seconds`` on the clock.
 
     Raises
     ------
@@ -39,9 +44,16 @@ def run_draws(
     rating = rating_of(drawn)
     cases = cases_of_draws(drawn, draws)
     run = run_cases(
-        drawn_rows, drawn, cases, folder=folder, identity=drawn.identity("draws"), engine=engine, block_size=BLOCK,
-        limits=Limits(seconds=SECONDS), progress=progress,
+        drawn_rows, drawn, cases, folder=folder, identity=drawn.identity("draws"), engine=engine,
+        block_size=_block_size(drawn), limits=Limits(seconds=seconds), progress=progress,
     )  # fmt: skip
     rows = run.rows()
     tables = tables_of(drawn, rows[rows["draw"] < draws])
     return Draws(run, tables, rating.ranking(tables))
+
+
+def _block_size(drawn: DrawnStudy) -> int:
+    """Return how many cases a worker gets at once: as many as memory allows, eight at least."""
+    study, first = drawn.study, next(iter(drawn.drives.values()))
+    rate = scenario_of(first, study, seed=study.settings.seed).recording.sample_rate
+    return max(LANES, min(LARGEST_BLOCK, int(SAMPLES / (rate * study.settings.duration))))
