@@ -1,4 +1,4 @@
-"""Check of the step while a run goes on: short stretches of it again with half the step, or from a disturbed state."""
+"""Check of the step: a run with gaps again with half the step, other runs in short stretches, or from another state."""
 
 from __future__ import annotations
 
@@ -12,14 +12,17 @@ import numpy as np
 from torquerig.simulation import kernel
 from torquerig.simulation.arrays import Floats
 from torquerig.simulation.kernel.work import copied, work_for
+from torquerig.simulation.measured_places import Output
 from torquerig.simulation.outputs import as_arrays
 from torquerig.simulation.ready import Ready
 
 ALLOWED = 1e-3  # [1] change by half the step, rms of a stretch over the rms of the whole signal
-BURST = 100.0  # [1] largest change over the median one from which on it comes in bursts: bounces in a gap
+OF_HALF = 0.5  # [1] share of the error of a step that half the step takes away, where the order falls to one at impacts
+AGAIN = 10.0  # [s] of a recording with gaps that is run again; the rest is seen in stretches
 STRETCHES = 8  # of a recording, evenly spread, and one more at each reversal of the set-point
-SHARE, SHARE_IN_GAPS, LONGEST = 0.002, 0.005, 0.025  # [1, 1, s] length of one; each costs twice, for its step is half
+SHARE, LONGEST = 0.002, 0.025  # [1, s] length of one; each costs twice, for its step is half
 DISTURBED, DISTURBED_LONGEST = 0.025, 0.1  # [1, s] length of the two stretches from a disturbed state
+ROUNDING = 1e-16  # [1]
 DISTURBANCE = 1e-7  # [1] of the speeds: far above rounding, and far below what a contact notices
 PIECES = 8  # of a stretch from a disturbed state; what it has become is averaged over the last two
 
@@ -31,9 +34,10 @@ class StepWatch:
     Parameters
     ----------
     change : float
-        Of what is measured by half the step, rms over a stretch, in parts of the rms of the recording [1].
+        Of what is measured by half the step, in parts of the rms of the recording [1]: with gaps rms over all that is
+        run again, else over the stretch of the largest.
     at : float
-        Where that stretch starts [s].
+        Where it is largest [s].
     steps : int
         Per sample, of the run.
     allowed : float
@@ -53,13 +57,13 @@ class StepWatch:
 
     def sentences(self) -> Iterator[str]:
         """Yield a warning with its remedy where samples of the run depend on the step."""
-        if self.change > self.allowed:
+        if self.change > self.allowed and self.growth * self.duration < 1:
             yield (
                 f"the integration step is too coarse: half the step changes the signal by {100 * self.change:.2g} % of "
                 f"its rms at {self.at:.4g} s ({100 * self.allowed:g} % allowed); simulate with {4 * self.steps} steps "
                 f"a sample in place of {self.steps}"
             )
-        elif self.change * exp(min(700.0, self.growth * self.duration)) > ALLOWED:
+        elif max(self.change, ROUNDING) * exp(min(700.0, self.growth * self.duration)) > ALLOWED:
             yield (
                 "the motion is chaotic or unstable: a small change grows by a factor e in "
                 f"{1000 / self.growth:.3g} ms; no step makes single samples reproducible; compare rms and spectra"
@@ -70,9 +74,11 @@ def watched(run: Ready, kept: Floats) -> tuple[StepWatch, int, int]:
     """Fill ``kept`` as ``kernel.integrate`` does, to the same bits, and return the check and where the run failed.
 
     At the start of each stretch the state is copied and run on with half the step; so a stretch sees gaps, friction and
-    loop as they are at that time, and not the start of the rig. Changes that come in bursts are allowed only half the
-    share of the recording that the stretches see, because the others add up, and larger ones are among them. A rig that
-    may make a difference grow is also run on from a disturbed state.
+    loop as they are at that time, and not the start of the rig. A rig that may make a difference grow is also run on
+    from a disturbed state.
+
+    What a contact does depends on all contacts before it, also on those while the rig settled, and differences come in
+    bursts. So a rig with gaps is run again from its start with half the step, up to ``AGAIN`` of the recording.
     """
     with np.errstate(over="ignore", invalid="ignore"):  # a run may be on its way to infinity
         return _watched(run, kept)
@@ -80,7 +86,7 @@ def watched(run: Ready, kept: Floats) -> tuple[StepWatch, int, int]:
 
 def _watched(run: Ready, kept: Floats) -> tuple[StepWatch, int, int]:
     course, span = _Course(run, kept), run.span
-    changes, growths, seen = [(0.0, 0.0)], [], 0.0
+    changes, growths = [(0.0, 0.0)], []
     end = span.settling + span.samples
     for part, look in sorted(_stretches(run), key=lambda one: one[0].start):
         if part.start < course.here or part.stop > end:
@@ -90,24 +96,38 @@ def _watched(run: Ready, kept: Floats) -> tuple[StepWatch, int, int]:
             growths.append(look(course, part.stop))
         else:
             changes.append((look(course, part.stop), (part.start - span.settling) / span.rate))
-            seen += (part.stop - part.start) / span.samples
     course.on(end)
-    size = rms(kept[0]) if course.failed[0] < 0 else 0.0
+    gaps, failed = _has_gaps(run), course.failed[0] >= 0
+    if gaps and not failed:
+        changes.append(_again(run, kept))
+    size = 0.0 if failed else rms(kept[0])
     change, at = max(changes)
-    bursts = _has_gaps(run) and change > BURST * float(np.median([one for one, _ in changes]))
     grown = sum(growths) / len(growths) if growths else 0.0
     watch = StepWatch(
         change=change / size if size else 0.0, at=at, steps=run.steps, growth=max(0.0, grown),
-        allowed=ALLOWED * (0.5 * seen if bursts else 1.0), duration=span.samples / span.rate,
+        allowed=ALLOWED * (OF_HALF if gaps else 1.0), duration=span.samples / span.rate,
     )  # fmt: skip
     return watch, *course.failed
+
+
+def _again(run: Ready, kept: Floats) -> tuple[float, float]:
+    """Return the rms change of what is measured by half the step from the start of the rig on, and where most [s]."""
+    span = run.span
+    samples = min(span.samples, round(AGAIN * span.rate))
+    finer = _Course(run, np.empty((1, samples)), outputs=run.outputs[:1])
+    finer.on(span.settling + samples, finer=2)
+    if finer.failed[0] >= 0:
+        return np.inf, max(0, finer.failed[0] - span.settling) / span.rate
+    moved = finer.kept[0] - kept[0, :samples]
+    return rms(moved), float(np.abs(moved).argmax()) / span.rate
 
 
 class _Course:
     """The state of a run on its way; ``on`` changes it in place."""
 
-    def __init__(self, run: Ready, kept: Floats) -> None:
-        self.run, self.outputs, self.kept, self.first = run, as_arrays(run.outputs), kept, run.span.settling
+    def __init__(self, run: Ready, kept: Floats, *, outputs: tuple[Output, ...] | None = None) -> None:
+        self.run, self.kept, self.first = run, kept, run.span.settling
+        self.outputs = as_arrays(run.outputs if outputs is None else outputs)
         self.theta, self.omega = run.start()
         self.work = work_for(run.terms)
         self.here, self.failed = 0, (-1, -1)
@@ -186,9 +206,11 @@ def _stretches(run: Ready) -> Iterator[tuple[slice, Callable[[_Course, int], flo
     """Yield the samples of each stretch, counted from the start of settling, and what is done there."""
     span, gaps = run.span, _has_gaps(run)
     whole = span.settling + span.samples
-    length = max(2, int(min(LONGEST * span.rate, (SHARE_IN_GAPS if gaps else SHARE) * whole)))
+    length = max(2, int(min(LONGEST * span.rate, SHARE * whole)))
     starts = [span.settling + int((one + 0.5) / STRETCHES * span.samples) for one in range(STRETCHES)]
-    if run.terms.drives.on.size:
+    if gaps:
+        starts = [start for start in starts if start >= span.settling + AGAIN * span.rate]
+    elif run.terms.drives.on.size:
         wanted = run.terms.drives.reference[0, span.settling : whole]
         turned = np.flatnonzero(np.signbit(wanted[1:]) != np.signbit(wanted[:-1]))[:STRETCHES]
         starts += [span.settling + max(0, int(one) - length // 2) for one in turned]
