@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from tests.simulation.random_rigs import random_rig
+from tests.simulation.test_step_watch import CHAOTIC
 from torquerig.errors import InputError, SimulationError
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
@@ -150,3 +152,22 @@ def test_the_one_that_fails_says_so_and_a_seed_is_wanted_for_each() -> None:
         simulate_batch(stiff, seeds=[1] * 4, duration=0.1, settling=0.0, substeps=1)
     with pytest.raises(InputError, match="one seed for each"):
         simulate_batch(stiff, seeds=[1], duration=0.1)
+
+
+@pytest.mark.long
+def test_a_batch_warns_as_single_runs_do() -> None:
+    """A gap that rattles, a motor at its limit, and rigs of both kinds of which nothing is to be said."""
+    rattling, rate = random_rig(CHAOTIC)
+    calm = replace(rattling, run=replace(rattling.run, speed=1e-3 * (rattling.run.speed or 0.0)))
+    slow = machine(0.05)
+    heavy = replace(slow, parts=tuple(
+        replace(part, viscous=0.05) if isinstance(part, Body) else part for part in slow.parts
+    ))  # fmt: skip
+    rigs = [rattling, slow, calm, heavy, rattling, slow, heavy]
+    given = {"duration": 0.5, "settling": 0.5, "sample_rate": rate}
+    batch = simulate_batch(rigs, seeds=[CHAOTIC] * 7, **given)
+    singles = [simulate(rig, seed=CHAOTIC, **given) for rig in rigs]
+    assert [one.origin.get("warnings") for one in batch] == [one.origin.get("warnings") for one in singles]
+    assert "chaotic" in batch[0].origin["warnings"][0]
+    assert "torque limit" in batch[3].origin["warnings"][0]
+    assert "warnings" not in batch[1].origin

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
@@ -12,12 +12,18 @@ import numpy as np
 from torquerig.errors import InputError
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
+from torquerig.simulation.arrays import Floats
 from torquerig.simulation.batch_parts import BatchRun, alike
 from torquerig.simulation.inputs import Draws, Span
 from torquerig.simulation.kernel.side_by_side import integrate_together
+from torquerig.simulation.lost_friction import friction_lost
+from torquerig.simulation.motor_limit import limits_reached
 from torquerig.simulation.outputs import as_arrays
 from torquerig.simulation.ready import Ready, ready
-from torquerig.simulation.simulator import SAMPLE_RATE, SETTLING, recorded, stepped
+from torquerig.simulation.simulator import SAMPLE_RATE, SETTLING, checked, recorded, stepped
+from torquerig.simulation.step_watch import ALLOWED, OF_HALF, rms
+
+_Way = Callable[[Sequence[Ready], Sequence[bool]], list[Recording]]
 
 WORTHWHILE = 2  # rigs from which on a step of all lanes (76 ns) takes less time than one step of each (50 ns)
 
@@ -31,6 +37,10 @@ def simulate_batch(
 
     Rigs of one shape (the same parts and effects, other numbers) are stepped together; what is like no other is
     simulated by itself. The arithmetic is that of ``simulate``, in the same order, so that the recordings are equal.
+
+    Where neither ``substeps`` nor ``most_steps`` is given, the step is checked: rigs that are stepped together run
+    again with half the step. Where that changes what is measured by more than half of ``step_watch.ALLOWED``, the rig
+    is simulated by itself, with the warnings of ``simulate``.
 
     Parameters
     ----------
@@ -59,8 +69,12 @@ def simulate_batch(
     runs = [BatchRun.of(rig, span) for rig, span in zip(rigs, spans, strict=True)]
     parts = alike(runs)
 
+    way = _checked if substeps is None and most_steps is None else _stepped
+
     def of_part(part: Sequence[int]) -> list[Recording]:
-        return simulate_part([runs[row] for row in part], scenario=scenario, substeps=substeps, most_steps=most_steps)
+        here = [runs[row] for row in part]
+        made = _prepared(here, scenario=scenario, substeps=substeps, most_steps=most_steps, draws=Draws())
+        return _together(made, [run.staged for run in here], way)
 
     with ThreadPoolExecutor(workers or os.cpu_count()) as pool:
         done = {row: made for part, each in zip(parts, pool.map(of_part, parts), strict=True)
@@ -72,45 +86,73 @@ def simulate_part(
     runs: Sequence[BatchRun], *, scenario: str = "", substeps: int | None = None, most_steps: int | None = None,
     draws: Draws | None = None,
 ) -> list[Recording]:  # fmt: skip
-    """Return the recordings of at most ``LANES`` runs that are alike.
+    """Return the recordings of at most ``LANES`` runs that are alike, their step unchecked.
 
     Parameters
     ----------
     draws : Draws, optional
         Where the random loads are kept for other runs of the same load; drawn anew for each part when not given.
     """
-    held = Draws() if draws is None else draws
-    prepared = [
+    prepared = _prepared(runs, scenario=scenario, substeps=substeps, most_steps=most_steps, draws=draws or Draws())
+    return _together(prepared, [run.staged for run in runs], _stepped)
+
+
+def _prepared(
+    runs: Sequence[BatchRun], *, scenario: str, substeps: int | None, most_steps: int | None, draws: Draws
+) -> list[Ready]:
+    return [
         replace(
             ready(run.rig, run.span, lowered=run.lowered, scenario=scenario, substeps=substeps, most_steps=most_steps,
-                  draws=held),
+                  draws=draws),
             outputs=run.outputs,
         )
         for run in runs
     ]  # fmt: skip
-    return _together(prepared, [run.staged for run in runs])
 
 
-def _together(runs: Sequence[Ready], staged: Sequence[bool]) -> list[Recording]:
+def _together(runs: Sequence[Ready], staged: Sequence[bool], way: _Way) -> list[Recording]:
     """Return the recordings of runs that differ only in their step size."""
     done: dict[int, Recording] = {}
     for steps in dict.fromkeys(run.steps for run in runs):
         rows = [row for row, run in enumerate(runs) if run.steps == steps]
-        done |= zip(rows, _of_one_step([runs[row] for row in rows], [staged[row] for row in rows]), strict=True)
+        done |= zip(rows, way([runs[row] for row in rows], [staged[row] for row in rows]), strict=True)
     return [done[row] for row in range(len(runs))]
 
 
-def _of_one_step(runs: Sequence[Ready], staged: Sequence[bool]) -> list[Recording]:
-    if len(runs) < WORTHWHILE:
-        return [stepped(run, staged=each) for run, each in zip(runs, staged, strict=True)]
-    first, starts = runs[0], [run.start() for run in runs]
-    kept, finished = integrate_together(
-        [theta for theta, _ in starts], [omega for _, omega in starts], [run.terms for run in runs],
-        as_arrays(first.outputs), first.span.rate, first.span.settling, first.steps, first.span.samples,
-    )  # fmt: skip
-    if not finished:  # singly, so that each of the others is there and the one that fails says why
+def _stepped(runs: Sequence[Ready], staged: Sequence[bool]) -> list[Recording]:
+    """Return the recordings of runs of one step size, unchecked."""
+    kept = _kept(runs) if len(runs) >= WORTHWHILE else None
+    if kept is None:  # singly, so that each of the others is there and the one that fails says why
         return [stepped(run, staged=each) for run, each in zip(runs, staged, strict=True)]
     return [
         recorded(run.rig, run.outputs, values, rate=run.span.rate, origin=run.origin, staged=each)
         for run, values, each in zip(runs, kept, staged, strict=True)
     ]
+
+
+def _checked(runs: Sequence[Ready], staged: Sequence[bool]) -> list[Recording]:
+    """Return the recordings of runs of one step size with their warnings; all of them staged."""
+    kept = _kept(runs) if len(runs) >= WORTHWHILE else None
+    halved = [replace(run, steps=2 * run.steps, outputs=run.outputs[:1]) for run in runs]
+    finer = None if kept is None else _kept(halved)
+    if kept is None or finer is None:
+        return [checked(run) for run in runs]
+    made = []
+    for run, values, other in zip(runs, kept, finer, strict=True):
+        if rms(other[0] - values[0]) > OF_HALF * ALLOWED * rms(values[0]):
+            made.append(checked(run))
+            continue
+        warnings = [*limits_reached(run, values), *friction_lost(run, values)]
+        origin = {**run.origin, "warnings": warnings} if warnings else run.origin
+        made.append(recorded(run.rig, run.outputs, values, rate=run.span.rate, origin=origin))
+    return made
+
+
+def _kept(runs: Sequence[Ready]) -> Floats | None:
+    """Return the outputs of runs of one step size, shape (runs, outputs, samples); None where one of them fails."""
+    first, starts = runs[0], [run.start() for run in runs]
+    kept, finished = integrate_together(
+        [theta for theta, _ in starts], [omega for _, omega in starts], [run.terms for run in runs],
+        as_arrays(first.outputs), first.span.rate, first.span.settling, first.steps, first.span.samples,
+    )  # fmt: skip
+    return kept if finished else None
