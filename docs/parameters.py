@@ -57,7 +57,10 @@ def section(kind: str, cls: type[Part]) -> str:
     told = (getdoc(module) or "").splitlines()[0].replace("``", "`")
     hints = get_type_hints(cls, include_extras=True)
     fixed = {"name", "after", "kind"} | ({"group"} if len(get_args(hints["group"])) < 2 else set())
-    rows = [row(one, hints[one.name]) for one in fields(cls) if one.name not in fixed]
+    written = [one for one in fields(cls) if one.name not in fixed]
+    own = vars(cls)["__annotations__"]
+    written.sort(key=lambda one: one.name not in own and one.default is not MISSING)  # what a family shares comes last
+    rows = [row(one, hints[one.name]) for one in written]
     group = f" Counted to: {cls.group}." if cls.group else ""
     head = ["| field | unit | allowed | default | meaning |", "|---|---|---|---|---|"]
     return "\n".join([f"### {kind}\n", f"{told}{group}\n", *head, *rows, ""])

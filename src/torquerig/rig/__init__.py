@@ -17,6 +17,8 @@
 ``first_mode``    the first elastic mode of the shafts
 ``reading_place`` the part at which a measured place reads
 ``sensor_reading`` scale, zero and mounting of a sensor; ``amplified_sensor``: amplifier, noise and converter
+``point_sensor``  what speed, acceleration and current sensors share
+``bearing``       friction of a part against the frame
 ``housing``       a motor's housing on a reaction torque sensor
 ``mean_by_occupancy`` mean load over the occupancy of the drum
 ================= ===============================================================================

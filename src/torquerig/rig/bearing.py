@@ -1,29 +1,50 @@
-"""Friction of the bearings and seals of a part against the frame."""
+"""Friction of a part against the frame: of the bearings and seals of a shaft, or of the guide of a motion in a line."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Annotated
 
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Part
 from torquerig.rig.terms import Friction
 
-Viscous = Annotated[float, Parameter("N*m*s/rad", "viscous friction of its output shaft against the frame", low=0)]
-Coulomb = Annotated[float, Parameter("N*m", "Coulomb friction of its output shaft against the frame", low=0)]
 Smoothing = Annotated[
     float, Parameter("rad/s", "speed over which the signs of dry friction and losses are smoothed", above=0)
 ]
 
 
-def bearing_friction(name: str, node: str, *, viscous: float, coulomb: float, smoothing: float) -> tuple[Friction, ...]:
-    """Return ``viscous w + coulomb tanh(w / smoothing)`` on a node; nothing where both are zero.
+@dataclass(frozen=True, kw_only=True)
+class BearingPart(Part):
+    """A part whose output shaft runs in bearings: ``viscous w + coulomb tanh(w / smoothing)`` against the frame."""
 
-    Parameters
-    ----------
-    name : str
-        The part.
-    viscous, coulomb, smoothing : float
-        [N m s/rad], [N m], [rad/s]; in a line [N s/m], [N], [m/s].
-    """
+    viscous: Annotated[
+        float, Parameter("N*m*s/rad", "viscous friction of its (output) shaft against the frame", low=0)
+    ] = 0.0
+    coulomb: Annotated[float, Parameter("N*m", "Coulomb friction of its (output) shaft against the frame", low=0)] = 0.0
+    smoothing: Smoothing = 0.02
+
+    def friction_on(self, node: str) -> tuple[Friction, ...]:
+        """Return its friction on a node; nothing where it states none."""
+        return _friction(self.name, node, viscous=self.viscous, coulomb=self.coulomb, smoothing=self.smoothing)
+
+
+@dataclass(frozen=True, kw_only=True)
+class GuidedPart(Part):
+    """A part whose far side moves in a line on a guide: ``viscous v + coulomb tanh(v / smoothing)``."""
+
+    viscous: Annotated[float, Parameter("N*s/m", "viscous friction of what moves against the frame", low=0)] = 0.0
+    coulomb: Annotated[float, Parameter("N", "Coulomb friction of what moves against the frame", low=0)] = 0.0
+    smoothing: Annotated[
+        float, Parameter("m/s", "speed over which the signs of dry friction and losses are smoothed", above=0)
+    ] = 1e-3
+
+    def friction_on(self, node: str) -> tuple[Friction, ...]:
+        """Return its friction on a node; nothing where it states none."""
+        return _friction(self.name, node, viscous=self.viscous, coulomb=self.coulomb, smoothing=self.smoothing)
+
+
+def _friction(name: str, node: str, *, viscous: float, coulomb: float, smoothing: float) -> tuple[Friction, ...]:
     if not (viscous or coulomb):
         return ()
     return (

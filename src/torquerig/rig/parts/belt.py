@@ -9,15 +9,15 @@ from typing import Annotated, ClassVar, Literal
 from torquerig.errors import InputError
 from torquerig.orders.kinematics.belt import Belt
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Part, Rig
-from torquerig.rig.bearing import Coulomb, Smoothing, Viscous, bearing_friction
+from torquerig.rig.assembly import Rig
+from torquerig.rig.bearing import BearingPart
 from torquerig.rig.host_changes import IN_A_SPRING, HostChange
 from torquerig.rig.stage_spring import stage_spring
 from torquerig.rig.terms import Inertia, Term
 
 
 @dataclass(frozen=True, kw_only=True)
-class BeltStage(Part):
+class BeltStage(BearingPart):
     """``T = k (theta_in / N - theta_out + e)`` with ``k = 2 (EA / l) r^2`` and ``c = 2 d r^2`` at the output pulley.
 
     N is wheel over pinion, r the pitch radius of the output pulley, l the free strand (from the belt's length), EA the
@@ -46,9 +46,6 @@ class BeltStage(Part):
     pinion_inertia: Annotated[float, Parameter("kg*m^2", "inertia of the input pulley", low=0)] = 0.0
     wheel_inertia: Annotated[float, Parameter("kg*m^2", "inertia of the output pulley", low=0)] = 0.0
     rest_angle: Annotated[float, Parameter("rad", "input angle / ratio less output angle without torque")] = 0.0
-    viscous: Viscous = 0.0
-    coulomb: Coulomb = 0.0
-    smoothing: Smoothing = 0.02
 
     def __post_init__(self) -> None:
         toothed = (self.pinion_teeth, self.wheel_teeth, self.belt_teeth, self.pitch)
@@ -100,10 +97,7 @@ class BeltStage(Part):
             smoothing=self.smoothing,
         )  # fmt: skip
         pinion = Inertia(node=rig.upstream(self.name), inertia=self.pinion_inertia)
-        friction = bearing_friction(
-            self.name, spring.b, viscous=self.viscous, coulomb=self.coulomb, smoothing=self.smoothing
-        )
-        return pinion, Inertia(node=spring.b, inertia=self.wheel_inertia), spring, *friction
+        return pinion, Inertia(node=spring.b, inertia=self.wheel_inertia), spring, *self.friction_on(spring.b)
 
     @property
     def _unit(self) -> float:

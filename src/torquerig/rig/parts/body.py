@@ -6,27 +6,21 @@ from dataclasses import dataclass
 from typing import Annotated, ClassVar, Literal
 
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Part, Rig
-from torquerig.rig.bearing import Smoothing, bearing_friction
+from torquerig.rig.assembly import Rig
+from torquerig.rig.bearing import BearingPart
 from torquerig.rig.terms import Inertia, Term
 
 
 @dataclass(frozen=True, kw_only=True)
-class Body(Part):
+class Body(BearingPart):
     """Inertia with friction against the frame: ``torque = viscous w + coulomb tanh(w / smoothing)``."""
 
     on_shaft: ClassVar[bool] = True
 
     kind: Literal["body"] = "body"
     inertia: Annotated[float, Parameter("kg*m^2", "inertia", above=0)]
-    viscous: Annotated[float, Parameter("N*m*s/rad", "viscous friction", low=0)] = 0.0
-    coulomb: Annotated[float, Parameter("N*m", "Coulomb friction", low=0)] = 0.0
-    smoothing: Smoothing = 0.02
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return inertia and friction."""
         node = rig.node(self.name)
-        friction = bearing_friction(
-            self.name, node, viscous=self.viscous, coulomb=self.coulomb, smoothing=self.smoothing
-        )
-        return Inertia(node=node, inertia=self.inertia), *friction
+        return Inertia(node=node, inertia=self.inertia), *self.friction_on(node)

@@ -7,8 +7,8 @@ from typing import Annotated, ClassVar, Literal
 
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Part, Rig
-from torquerig.rig.bearing import Coulomb, Smoothing, Viscous, bearing_friction
+from torquerig.rig.assembly import Rig
+from torquerig.rig.bearing import BearingPart
 from torquerig.rig.first_mode import first_elastic_mode
 from torquerig.rig.host_changes import IN_A_SPRING, HostChange
 from torquerig.rig.stage_spring import stage_spring
@@ -16,7 +16,7 @@ from torquerig.rig.terms import Inertia, Term
 
 
 @dataclass(frozen=True, kw_only=True)
-class Coupling(Part):
+class Coupling(BearingPart):
     """A bellows, jaw or plain shaft; its inertia, if stated, is on its output side.
 
     Its damping is stated, or follows from ``loss_factor``, the energy lost per cycle over 2 pi times the energy stored:
@@ -35,9 +35,6 @@ class Coupling(Part):
     loss_factor: Annotated[float, Parameter("1", "loss factor, in place of damping", low=0)] | None = None
     inertia: Annotated[float, Parameter("kg*m^2", "inertia of the output side", low=0)] = 0.0
     rest_angle: Annotated[float, Parameter("rad", "input angle less output angle without torque")] = 0.0
-    viscous: Viscous = 0.0
-    coulomb: Coulomb = 0.0
-    smoothing: Smoothing = 0.02
 
     def __post_init__(self) -> None:
         if (self.damping is None) == (self.loss_factor is None):
@@ -57,10 +54,7 @@ class Coupling(Part):
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return the spring, with the errors that effects add, and inertia and friction of the output side."""
         spring = stage_spring(rig, self.name, stiffness=self.stiffness, damping=self.damped(rig), rest=self.rest_angle)
-        friction = bearing_friction(
-            self.name, spring.b, viscous=self.viscous, coulomb=self.coulomb, smoothing=self.smoothing
-        )
-        return Inertia(node=spring.b, inertia=self.inertia), spring, *friction
+        return Inertia(node=spring.b, inertia=self.inertia), spring, *self.friction_on(spring.b)
 
 
 def _bare(coupling: Coupling, rig: Rig) -> tuple[Term, ...]:

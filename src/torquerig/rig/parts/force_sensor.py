@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Annotated, ClassVar, Literal
 
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Part, Rig
-from torquerig.rig.bearing import bearing_friction
+from torquerig.rig.assembly import Rig
+from torquerig.rig.bearing import GuidedPart
 from torquerig.rig.host_changes import IN_A_SENSOR, IN_A_SPRING, HostChange, lowest_cutoff
 from torquerig.rig.placed_stage import PlacedStage
 from torquerig.rig.sensor_reading import Mounting, refuse_zero_of_tared, scale_and_zero
@@ -19,7 +19,7 @@ from torquerig.sensor_stages.noise import WhiteNoise
 
 
 @dataclass(frozen=True, kw_only=True)
-class ForceSensor(Part):
+class ForceSensor(GuidedPart):
     """The torque sensor for motion in a line: force of spring and damper, low-pass, noise, codes.
 
     ``scale``, ``zero``, their tolerances, ``tare`` and ``mounting`` are those of a torque_sensor.
@@ -40,9 +40,6 @@ class ForceSensor(Part):
     noise_rms: Annotated[float, Parameter("V", "rms of the noise", low=0)] = 0.0
     converter_range: Annotated[float, Parameter("V", "converter range, plus and minus", above=0)] = 10.0
     converter_bits: int = 16
-    viscous: Annotated[float, Parameter("N*s/m", "viscous friction of the far side against the frame", low=0)] = 0.0
-    coulomb: Annotated[float, Parameter("N", "Coulomb friction of the far side against the frame", low=0)] = 0.0
-    smoothing: Annotated[float, Parameter("m/s", "speed over which the sign is smoothed", above=0)] = 1e-3
     scale: Annotated[float, Parameter("1", "true sensitivity over the stated one", above=0)] = 1.0
     gain_tolerance: Annotated[float, Parameter("1", "largest relative error of the sensitivity", low=0, high=1)] = 0.0
     zero: Annotated[float, Parameter("N", "reading without a load")] = 0.0
@@ -56,10 +53,7 @@ class ForceSensor(Part):
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return the spring, and mass and friction of its far side."""
         spring = stage_spring(rig, self.name, stiffness=self.stiffness, damping=self.damping)
-        friction = bearing_friction(
-            self.name, spring.b, viscous=self.viscous, coulomb=self.coulomb, smoothing=self.smoothing
-        )
-        return Inertia(node=spring.b, inertia=self.mass), spring, *friction
+        return Inertia(node=spring.b, inertia=self.mass), spring, *self.friction_on(spring.b)
 
     def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
         """Return scale and zero, amplifier, noise and converter."""

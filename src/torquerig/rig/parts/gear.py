@@ -10,15 +10,15 @@ from torquerig.orders.kinematics.planetary_assembly import RATIO_KEPT, assembly_
 from torquerig.orders.kinematics.teeth import Planetary, Spur
 from torquerig.orders.kinematics.teeth_reading import TeethList
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Part, Rig
-from torquerig.rig.bearing import Coulomb, Smoothing, Viscous, bearing_friction
+from torquerig.rig.assembly import Rig
+from torquerig.rig.bearing import BearingPart
 from torquerig.rig.host_changes import IN_A_SPRING, HostChange
 from torquerig.rig.stage_spring import stage_spring
 from torquerig.rig.terms import Inertia, Term
 
 
 @dataclass(frozen=True, kw_only=True)
-class Gear(Part):
+class Gear(BearingPart):
     """``T = k (theta_in / N - theta_out + e)``, for every kind of teeth: they determine N and the orders of mesh lines.
 
     Stiffness, damping and backlash are counted at the output; the efficiency acts on the transmitted torque.
@@ -48,9 +48,6 @@ class Gear(Part):
     rest_angle: Annotated[
         float, Parameter("rad", "input angle / ratio less output angle without torque, in the middle of the backlash")
     ] = 0.0
-    viscous: Viscous = 0.0
-    coulomb: Coulomb = 0.0
-    smoothing: Smoothing = 0.02
     teeth: Annotated[tuple[Planetary | Spur, ...], TeethList()] = ()
 
     def __post_init__(self) -> None:
@@ -80,10 +77,7 @@ class Gear(Part):
             efficiency=self.efficiency, rest=self.rest_angle,
             smoothing=self.smoothing,
         )  # fmt: skip
-        friction = bearing_friction(
-            self.name, spring.b, viscous=self.viscous, coulomb=self.coulomb, smoothing=self.smoothing
-        )
-        return Inertia(node=spring.b, inertia=inertia), spring, *friction
+        return Inertia(node=spring.b, inertia=inertia), spring, *self.friction_on(spring.b)
 
     def _nearest(self) -> str:
         """Return the sets of teeth that would give the stated ratio, for a planetary gear of one stage."""

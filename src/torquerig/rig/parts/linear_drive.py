@@ -8,15 +8,15 @@ from typing import Annotated, ClassVar, Literal
 
 from torquerig.orders.kinematics.teeth import Spur
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Part, Rig
-from torquerig.rig.bearing import bearing_friction
+from torquerig.rig.assembly import Rig
+from torquerig.rig.bearing import GuidedPart
 from torquerig.rig.host_changes import IN_A_SPRING, HostChange
 from torquerig.rig.stage_spring import stage_spring
 from torquerig.rig.terms import Inertia, Term, Wave
 
 
 @dataclass(frozen=True, kw_only=True)
-class LinearDrive(Part):
+class LinearDrive(GuidedPart):
     """``F = k (lead theta / 2 pi - x + e) + c d/dt(...)``, on the shaft ``F lead / (2 pi eta)``.
 
     ``lead`` is the travel per turn of the shaft before it: the lead of a screw, teeth times pitch of a belt's pulley,
@@ -47,9 +47,6 @@ class LinearDrive(Part):
         Annotated[float, Parameter("m", "zero-to-peak travel deviation of a harmonic of the turn", low=0)], ...
     ] = ()
     rest_offset: Annotated[float, Parameter("m", "lead times turns less position without force")] = 0.0
-    viscous: Annotated[float, Parameter("N*s/m", "viscous friction of what moves against the frame", low=0)] = 0.0
-    coulomb: Annotated[float, Parameter("N", "Coulomb friction of what moves against the frame", low=0)] = 0.0
-    smoothing: Annotated[float, Parameter("m/s", "speed over which the sign is smoothed", above=0)] = 1e-3
 
     def __post_init__(self) -> None:
         if self.lead == 0:
@@ -73,8 +70,10 @@ class LinearDrive(Part):
             if error
         )
         screw = Inertia(node=rig.upstream(self.name), inertia=self.input_inertia)
-        friction = bearing_friction(
-            self.name, spring.b, viscous=self.viscous, coulomb=self.coulomb, smoothing=self.smoothing
-        )
         error = (*spring.error, *own)
-        return screw, Inertia(node=spring.b, inertia=self.mass), replace(spring, error=error), *friction
+        return (
+            screw,
+            Inertia(node=spring.b, inertia=self.mass),
+            replace(spring, error=error),
+            *self.friction_on(spring.b),
+        )

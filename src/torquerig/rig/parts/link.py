@@ -6,15 +6,15 @@ from dataclasses import dataclass
 from typing import Annotated, ClassVar, Literal
 
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Part, Rig
-from torquerig.rig.bearing import bearing_friction
+from torquerig.rig.assembly import Rig
+from torquerig.rig.bearing import GuidedPart
 from torquerig.rig.host_changes import IN_A_SPRING, HostChange
 from torquerig.rig.stage_spring import stage_spring
 from torquerig.rig.terms import Inertia, Term
 
 
 @dataclass(frozen=True, kw_only=True)
-class Link(Part):
+class Link(GuidedPart):
     """``F = k (x_a - x_b - rest_offset) + c (v_a - v_b)``, positive when pushed together; with free play if stated."""
 
     on_shaft: ClassVar[bool] = True
@@ -30,16 +30,10 @@ class Link(Part):
     rest_offset: Annotated[float, Parameter("m", "near less far position without force, in the middle of the play")] = (
         0.0
     )
-    viscous: Annotated[float, Parameter("N*s/m", "viscous friction of the far side against the frame", low=0)] = 0.0
-    coulomb: Annotated[float, Parameter("N", "Coulomb friction of the far side against the frame", low=0)] = 0.0
-    smoothing: Annotated[float, Parameter("m/s", "speed over which the sign is smoothed", above=0)] = 1e-3
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return the spring, and mass and friction of its far side."""
         spring = stage_spring(
             rig, self.name, stiffness=self.stiffness, damping=self.damping, gap=self.play, rest=self.rest_offset
         )
-        friction = bearing_friction(
-            self.name, spring.b, viscous=self.viscous, coulomb=self.coulomb, smoothing=self.smoothing
-        )
-        return Inertia(node=spring.b, inertia=self.mass), spring, *friction
+        return Inertia(node=spring.b, inertia=self.mass), spring, *self.friction_on(spring.b)

@@ -6,12 +6,13 @@ from dataclasses import dataclass
 from typing import Annotated, ClassVar, Literal
 
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Part, Rig
+from torquerig.rig.assembly import Rig
+from torquerig.rig.bearing import GuidedPart
 from torquerig.rig.terms import Friction, Inertia, Term
 
 
 @dataclass(frozen=True, kw_only=True)
-class Slide(Part):
+class Slide(GuidedPart):
     """``m v' = sum of forces``, among them ``viscous v + coulomb tanh(v / smoothing)`` of its guide.
 
     The equations are those of a body, with kg, N and m. Below the smoothing speed it creeps where a guide sticks.
@@ -22,9 +23,6 @@ class Slide(Part):
 
     kind: Literal["slide"] = "slide"
     mass: Annotated[float, Parameter("kg", "mass", above=0)]
-    viscous: Annotated[float, Parameter("N*s/m", "viscous friction", low=0)] = 0.0
-    coulomb: Annotated[float, Parameter("N", "Coulomb friction", low=0)] = 0.0
-    smoothing: Annotated[float, Parameter("m/s", "speed over which the sign is smoothed", above=0)] = 1e-3
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return mass and friction."""

@@ -9,15 +9,15 @@ from typing import Annotated, ClassVar, Literal
 from torquerig.errors import InputError
 from torquerig.orders.kinematics.worm import Worm
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Part, Rig
-from torquerig.rig.bearing import Coulomb, Smoothing, Viscous, bearing_friction
+from torquerig.rig.assembly import Rig
+from torquerig.rig.bearing import BearingPart
 from torquerig.rig.host_changes import IN_A_SPRING, HostChange
 from torquerig.rig.stage_spring import stage_spring
 from torquerig.rig.terms import Inertia, Term
 
 
 @dataclass(frozen=True, kw_only=True)
-class WormGear(Part):
+class WormGear(BearingPart):
     """``T = k (theta_in / N - theta_out + e)`` with ``N = wheel teeth / starts`` and the losses of sliding flanks.
 
     With the lead angle g and the friction angle ``r = atan(mu / cos(an))`` (an the normal pressure angle), the
@@ -53,9 +53,6 @@ class WormGear(Part):
     rest_angle: Annotated[
         float, Parameter("rad", "input angle / ratio less output angle without torque, in the middle of the backlash")
     ] = 0.0
-    viscous: Viscous = 0.0
-    coulomb: Coulomb = 0.0
-    smoothing: Smoothing = 0.02
 
     def __post_init__(self) -> None:
         try:
@@ -135,11 +132,8 @@ class WormGear(Part):
             efficiency=self.efficiency, backward_efficiency=self.backward_efficiency, rest=self.rest_angle,
             smoothing=self.smoothing,
         )  # fmt: skip
-        friction = bearing_friction(
-            self.name, spring.b, viscous=self.viscous, coulomb=self.coulomb, smoothing=self.smoothing
-        )
         worm = Inertia(node=rig.upstream(self.name), inertia=self.worm_inertia)
-        return worm, Inertia(node=spring.b, inertia=self.wheel_inertia), spring, *friction
+        return worm, Inertia(node=spring.b, inertia=self.wheel_inertia), spring, *self.friction_on(spring.b)
 
     def _set(self) -> Worm:
         return Worm(self.starts, self.wheel_teeth)
