@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Any
 
 from torquerig.errors import TorquerigError
 from torquerig.rig.assembly import Part, Rig
@@ -29,7 +30,8 @@ def _only_at_rest(rig: Rig, part: Part, key: str) -> bool:
     if isinstance(value, bool) or not isinstance(value, int | float):
         return False
     try:
-        other = replace(part, **{key: CHANGED * value})
+        changed_value: dict[str, Any] = {key: CHANGED * value}
+        other = replace(part, **changed_value)
         terms, changed = part.terms(rig), other.terms(rig.changed(other))
     except (TorquerigError, ValueError, TypeError):
         return False

@@ -93,7 +93,8 @@ def simulate_part(
     draws : Draws, optional
         Where the random loads are kept for other runs of the same load; drawn anew for each part when not given.
     """
-    prepared = _prepared(runs, scenario=scenario, substeps=substeps, most_steps=most_steps, draws=draws or Draws())
+    held = Draws() if draws is None else draws
+    prepared = _prepared(runs, scenario=scenario, substeps=substeps, most_steps=most_steps, draws=held)
     return _together(prepared, [run.staged for run in runs], _stepped)
 
 
