@@ -8,12 +8,14 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from tests.cases import work_functions as work
 from torquerig.cases import (
     Case,
     Column,
+    Failed,
     Identity,
     Limits,
     Progress,
@@ -116,18 +118,28 @@ def test_unfinished_cases_are_tried_again(tmp_path: Path) -> None:
 
 
 def test_answers_that_are_no_rows_fail(tmp_path: Path) -> None:
-    results: dict[int, Any] = {0: 3.0, 1: {"readng": 1.0}, 2: {"hits": 1.5}, 3: {"reading": float("nan")}, 4: {}}
+    results: dict[int, Any] = {
+        0: 3.0,
+        1: {"readng": 1.0},
+        2: {"hits": 1.5},
+        3: {"hits": 2**63},
+        4: Failed("half a \ud800 character"),
+        5: {"reading": float("nan")},
+        6: {},
+    }
 
     def answered(inputs: None, block: Sequence[Case]) -> list[Mapping[str, Any]]:
         return [results[case.number] for case in block]
 
-    frame = run(tmp_path, 5, function=answered, inputs=None).rows()
-    assert frame["error"].tolist()[:3] == [
+    frame = run(tmp_path, 7, function=answered, inputs=None).rows()
+    assert frame["error"].tolist()[:5] == [
         "the work function returned float, not a mapping of columns to values",
         "the work function returned 'readng', which is no column of the study; did you mean 'reading'?",
         "the work function returned hits = 1.5, which is not of the kind 'int'",
+        "the work function returned hits = 9223372036854775808, which is not of the kind 'int'",
+        "half a \\ud800 character",
     ]
-    assert frame["state"].tolist() == ["failed"] * 3 + ["done"] * 2
+    assert frame["state"].tolist() == ["failed"] * 5 + ["done"] * 2
 
 
 def test_progress_counts_what_was_stored(tmp_path: Path) -> None:
@@ -149,6 +161,9 @@ def test_progress_counts_what_was_stored(tmp_path: Path) -> None:
         ([Case(0, {"load": 1.0, "moter": "x"})], "did you mean 'motor'|no value for 'motor'"),
         ([Case(0, {"load": "heavy", "motor": "x"})], "case 0: load is 'heavy'; give a value of the kind 'float'"),
         ([Case(0, {"load": float("nan"), "motor": "x"})], "case 0: load is nan; give a finite number, or None"),
+        ([Case(0, {"load": np.float32("inf"), "motor": "x"})], "case 0: load is inf; give a finite number, or None"),
+        ([Case(0, {"load": 10**40, "motor": "x"})], "case 0: load is 1000.*; give a value of the kind 'float'"),
+        ([Case(0, {"load": 1.0, "motor": "\ud800"})], "case 0: motor is '.ud800'; give a value of the kind 'str'"),
         ([Case(0, {"load": True, "motor": "x"})], "case 0: load is True; give a value of the kind 'float'"),
     ],
 )

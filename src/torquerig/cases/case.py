@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -14,6 +15,7 @@ Scalar: TypeAlias = float | int | str | bool | None
 Kind = Literal["float", "int", "str", "bool"]
 
 ENGINE_COLUMNS = ("case", "seed", "state", "error")
+_HALVES = re.compile("[\ud800-\udfff]")  # of characters, which no file of text can hold
 MOST = 2**63 - 1  # of a number or a seed, as a column of whole numbers holds it
 _TYPES: Mapping[str, tuple[type, ...]] = {"float": (float, int), "int": (int,), "str": (str,), "bool": (bool,)}
 
@@ -49,9 +51,13 @@ class Column:
     def holds(self, value: Any) -> bool:
         """Whether a value can be in this column; None can, a numpy number can, True is no number."""
         value = plain(value)
-        return value is None or (
-            isinstance(value, _TYPES[self.kind]) and (self.kind == "bool") == (type(value) is bool)
-        )
+        if value is None:
+            return True
+        if not isinstance(value, _TYPES[self.kind]) or (self.kind == "bool") != isinstance(value, bool):
+            return False
+        if isinstance(value, str):
+            return not _HALVES.search(value)
+        return not isinstance(value, int) or abs(value) <= MOST
 
 
 @dataclass(frozen=True)
@@ -138,7 +144,8 @@ def checked_values(cases: Iterable[Case], columns: Sequence[Column]) -> None:
                 raise InputError(
                     f"case {case.number}: {name} is {value!r}; give a value of the kind {known[name].kind!r}"
                 )
-            if isinstance(value, float) and not math.isfinite(value):
+            number = plain(value)
+            if isinstance(number, float) and not math.isfinite(number):
                 raise InputError(f"case {case.number}: {name} is {value}; give a finite number, or None")
 
 

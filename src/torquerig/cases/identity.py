@@ -106,7 +106,7 @@ def refuse_other(stored: str, wanted: Identity, *, folder: Path) -> None:
     for name, value, other in _differences(there["code"], here["code"]):
         raise InputError(
             f"{folder} was computed with {name} {value}, here is {other}; the rows could differ; "
-            f"install {name} {value} again, or {another}"
+            f"use {name} {value} again, or {another}"
         )
     for kind in ("values", "results"):
         if there[kind] != here[kind]:

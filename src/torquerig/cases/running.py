@@ -18,6 +18,7 @@ from torquerig.cases.store import Store, opened_store, read_rows
 from torquerig.cases.this_machine import ThisMachine
 from torquerig.cases.unbroken import unbroken
 from torquerig.errors import did_you_mean
+from torquerig.harmless import harmless
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -222,11 +223,12 @@ def _store_all(
 def _row_of(answer: Answer, columns: dict[str, Column]) -> dict[str, Any]:
     """Return the row of an answer; one that does not fit the columns is a failed case."""
     case = answer.case
-    row = {"case": case.number, "seed": case.seed, "state": answer.state, "error": answer.error, **case.values}
+    error = None if answer.error is None else harmless(answer.error)
+    row = {"case": case.number, "seed": case.seed, "state": answer.state, "error": error, **case.values}
     if answer.state != "done":
         return row
-    error = _misfit(answer.value, columns)
-    return row | ({"state": "failed", "error": error} if error else dict(answer.value))
+    misfit = _misfit(answer.value, columns)
+    return row | ({"state": "failed", "error": harmless(misfit)} if misfit else dict(answer.value))
 
 
 def _misfit(value: Any, columns: dict[str, Column]) -> str | None:

@@ -14,7 +14,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -131,19 +131,14 @@ class Store:
         InputError
             For the first such case.
         """
-        names = ["seed", *(column.name for column in self.identity.values)]
+        names = ["case", "seed", *(column.name for column in self.identity.values)]
         given = {case.number: case for case in cases if case.number in self.states}
         for table in self._tables():
-            stored = table.select(["case", *names]).to_pylist()
-            wanted = [given[row["case"]] for row in stored if row["case"] in given]
-            known = table_of(map(_start_of_row, wanted), self.schema).select(["case", *names])
-            for row, other in zip([row for row in stored if row["case"] in given], known.to_pylist(), strict=True):
-                if row != other:
-                    name = next(name for name in names if row[name] != other[name])
-                    raise InputError(
-                        f"{self.folder}: case {row['case']} was computed with {name} {row[name]!r}, now it has "
-                        f"{other[name]!r}; go on in another folder, or give the cases as they were"
-                    )
+            both = [number in given for number in table["case"].to_pylist()]
+            stored = table.select(names).filter(both)
+            wanted = table_of((_start_of_row(given[number]) for number in stored["case"].to_pylist()), self.schema)
+            if not stored.equals(wanted.select(names)):
+                raise InputError(f"{self.folder}: {_first_difference(stored, wanted, names)}")
 
     def table(self) -> pa.Table:
         """Return all rows, unfinished ones too, sorted by case."""
@@ -207,10 +202,13 @@ def read_rows(folder: Path) -> pd.DataFrame:
     import pyarrow.parquet as pq
 
     rows = Path(folder) / "rows"
-    paths = sorted(rows.glob("*.parquet"))
-    if not paths:
-        raise InputError(f"{folder} holds no rows of a study; run the study first, or name its folder")
-    tables = [pq.read_table(path) for path in paths]
+    tables = None
+    while tables is None:
+        paths = sorted(rows.glob("*.parquet"))
+        if not paths:
+            raise InputError(f"{folder} holds no rows of a study; run the study first, or name its folder")
+        with suppress(FileNotFoundError):  # parts are being made fewer
+            tables = [pq.read_table(path) for path in paths]
     return joined(tables, tables[0].schema).to_pandas()
 
 
@@ -231,6 +229,16 @@ def _take_stock(store: Store) -> None:
     if twice:
         store.notes.append(f"{store.folder}: cases that were there twice count once")
         store.merge()
+
+
+def _first_difference(stored: pa.Table, wanted: pa.Table, names: Sequence[str]) -> str:
+    pairs = zip(stored.to_pylist(), wanted.select(names).to_pylist(), strict=True)
+    row, other = next((row, other) for row, other in pairs if row != other)
+    name = next(name for name in names if row[name] != other[name])
+    return (
+        f"case {row['case']} was computed with {name} {row[name]!r}, now it has {other[name]!r}; go on in another "
+        "folder, or give the cases as they were"
+    )
 
 
 def _start_of_row(case: Case) -> dict[str, Any]:
