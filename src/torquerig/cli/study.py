@@ -13,17 +13,23 @@ from torquerig.cli.progress import case_progress
 from torquerig.document import read_document
 from torquerig.plain_table import wrapped
 from torquerig.reporting.study.draws_text import answer_text, convergence_text, left_out_text, ranked_draws_text
+from torquerig.reporting.study.sensitivity_text import asked_first_text, decisive_text, effects_text, too_few_text
 from torquerig.scenario.overrides import overridden
 from torquerig.study.definition import open_study
 
 if TYPE_CHECKING:
     from torquerig.cases.block import Engine
+    from torquerig.study.monte_carlo.design import Method
+
+_POINTS = {None: "draws", "sobol": "base points", "morris": "paths"}
 
 
 @click.command("study")
 @click.argument("scenario", type=click.Path(path_type=Path))
 @click.option("--draws", type=click.IntRange(1), default=1000, show_default=True,
               help="Monte Carlo draws of each drive from the catalog's intervals.")  # fmt: skip
+@click.option("--sensitivity", "method", type=click.Choice(["sobol", "morris"]), default=None,
+              help="Which open value matters: by --draws base points (sobol) or paths (morris, quicker).")  # fmt: skip
 @click.option("--store", type=click.Path(path_type=Path), default=None,
               help="Folder of the results, which later calls continue; default studies/NAME-OF-SCENARIO.")  # fmt: skip
 @click.option("--workers", type=click.IntRange(1), default=None, help="Processes. Default: one per core.")
@@ -32,7 +38,7 @@ if TYPE_CHECKING:
 @set_option
 @catalog_option
 def command(
-    *, scenario: Path, draws: int, store: Path | None, workers: int | None, cluster: str | None,
+    *, scenario: Path, draws: int, method: Method | None, store: Path | None, workers: int | None, cluster: str | None,
     settings: tuple[str, ...], catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Compute the distribution of the reading error and of the ranking of SCENARIO's study over many draws.
@@ -43,23 +49,30 @@ def command(
     Example: torquerig study scenarios/wear_rig.yaml --draws 1000 --set study.duration=2s
     """
     from torquerig.study.monte_carlo.drawn_study import drawn_study
-    from torquerig.study.monte_carlo.running import run_draws
+    from torquerig.study.monte_carlo.running import run_design, run_draws
 
     if cluster is not None and workers is not None:
         raise click.UsageError("--workers is for this machine; a cluster has its own, so leave one of the two out")
     document = overridden(read_document(scenario), settings)
     drawn = drawn_study(open_study(document, catalog_for(scenario, catalogs)))
-    with case_progress(f"{draws} draws of {len(drawn.drives)} drives") as progress:
-        found = run_draws(
-            drawn, draws, folder=store or Path("studies") / scenario.stem, engine=_engine(workers, cluster),
-            progress=progress,
-        )  # fmt: skip
-    click.echo(wrapped(answer_text(drawn, found.ranking)) + "\n")
-    click.echo(ranked_draws_text(drawn, found.ranking, found.tables))
-    for text in (convergence_text(found.ranking), left_out_text(drawn, found.ranking), *found.run.notes):
-        if text:
-            click.echo("\n" + text)
-    run = found.run
+    folder = store or Path("studies") / (f"{scenario.stem}-{method}" if method else scenario.stem)
+    engine, unit = _engine(workers, cluster), drawn.study.effort_unit
+    with case_progress(f"{draws} {_POINTS[method]} of {len(drawn.drives)} drives") as progress:
+        if method is None:
+            found = run_draws(drawn, draws, folder=folder, engine=engine, progress=progress)
+            texts = [
+                wrapped(answer_text(found.ranking)), ranked_draws_text(drawn, found.ranking, found.tables),
+                convergence_text(found.ranking), left_out_text(drawn, found.ranking),
+            ]  # fmt: skip
+            run = found.run
+        else:
+            made = run_design(drawn, method, draws, folder=folder, engine=engine, progress=progress)
+            texts = [
+                wrapped(asked_first_text(made.found, unit=unit)), decisive_text(made.found),
+                effects_text(made.found, made.design, unit=unit), too_few_text(made.found),
+            ]  # fmt: skip
+            run = made.run
+    click.echo("\n\n".join(text for text in (*texts, *run.notes) if text))
     click.echo(f"\n{run.total} cases, {run.computed} of them computed now in {run.seconds:.1f} s")
     if run.failed or run.unfinished:
         click.echo(f"{run.failed} cases failed and {run.unfinished} are unfinished: see the column error")

@@ -16,14 +16,14 @@ Floats = NDArray[np.float64]
 CLEAR = 0.9  # [1] share of the draws from which on a drive is called the best one
 
 
-def answer_text(drawn: DrawnStudy, ranking: Ranking) -> str:
+def answer_text(ranking: Ranking) -> str:
     """Return what the draws say of the choice, in a few sentences."""
     draws = len(ranking.totals)
     if not ranking.combinations:
         return f"No drive meets the requirements: {_listed(ranking.eliminated)}."
     shares = ranking.drive_shares()
     first, share = next(iter(shares.items()))
-    filtering = next(pair[1] for pair in ranking.shares() if pair[0] == first)
+    filtering = ranking.best_filters()[first]
     within = f"{share:.0%} of {draws} draws (± {share_uncertainty(share, draws):.1%})"
     if share >= CLEAR:
         return f"{first} with the filter {filtering} is the best choice: it is first in {within}."

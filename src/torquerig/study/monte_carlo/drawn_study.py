@@ -84,7 +84,7 @@ class DrawnStudy:
                 "catalog": digest_of(catalog),
                 "plan": plan,
             },
-            values=[Column("drive", kind="str"), Column("draw", kind="int"), *quantile_columns(self, plan)],
+            values=[Column("drive", kind="str"), Column("draw", kind="int"), *quantile_columns(plan)],
             results=self.results(),
         )
 
@@ -99,8 +99,8 @@ def residual_column(name: str) -> str:
     return f"residual_disturbance_{name}"
 
 
-def quantile_columns(drawn: DrawnStudy, plan: str) -> list[Column]:
-    """Return a column for each quantile of a plan that states them; none for random draws."""
+def quantile_columns(plan: str) -> list[Column]:
+    """Return the column of the stated quantiles; none for random draws."""
     return [] if plan == "draws" else [Column("quantiles", kind="str", meaning="stated quantiles, as JSON")]
 
 

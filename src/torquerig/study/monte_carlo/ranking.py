@@ -54,6 +54,16 @@ class Ranking:
         found = dict(zip(self.combinations, counts.tolist(), strict=True))
         return dict(sorted(found.items(), key=lambda item: -item[1]))
 
+    def best_filters(self) -> dict[str, str]:
+        """Return for each drive the filter with the largest mean total over the draws in which it can run."""
+        runs = np.isfinite(self.totals)
+        means = np.where(runs, self.totals, 0.0).sum(axis=0) / np.maximum(1, runs.sum(axis=0))
+        found: dict[str, str] = {}
+        for at in np.argsort(-means, kind="stable"):
+            drive, filtering = self.combinations[at]
+            found.setdefault(drive, filtering)
+        return found
+
     def drive_shares(self) -> dict[str, float]:
         """Return the share of draws in which each drive is best with any filter, the largest first."""
         found: dict[str, float] = {}
@@ -67,12 +77,14 @@ class Rating:
     """What the points of a study are made of: fixed for criteria that no draw changes, by value for the simulated.
 
     Criteria that rest on the catalog alone have the points of their stated value, or of the middle of their interval.
+    ``prices`` are those of the new parts of each drive [EUR], None where unknown.
     """
 
     drawn: DrawnStudy
     matrix: DecisionMatrix
     fixed: KesselringResult
     eliminated: Mapping[str, str]
+    prices: Mapping[str, float | None]
 
     def ranking(self, tables: Mapping[str, Floats]) -> Ranking:
         """Return the ranking at each draw.
@@ -132,9 +144,9 @@ def rating_of(drawn: DrawnStudy) -> Rating:
             for key, row in study.settings.criteria.items()
         },
     )
-    return Rating(
-        drawn, matrix, kesselring(matrix, profile=TEACHING), {name: _why(row) for name, row in failed.items()}
-    )
+    prices = {name: result.margins["price"].value for name, result in results.items()}
+    reasons = {name: _why(row) for name, row in failed.items()}
+    return Rating(drawn, matrix, kesselring(matrix, profile=TEACHING), reasons, prices)
 
 
 def column_of(metric: str, filtering: str) -> str:

@@ -9,9 +9,11 @@ from pathlib import Path
 from torquerig.cases import Limits, Progress, StudyRun, run_cases
 from torquerig.cases.block import Engine
 from torquerig.study.candidates import scenario_of
+from torquerig.study.monte_carlo.design import Design, Method, design_of
 from torquerig.study.monte_carlo.drawn_case import drawn_rows
 from torquerig.study.monte_carlo.drawn_study import DrawnStudy, cases_of_draws
 from torquerig.study.monte_carlo.ranking import Floats, Ranking, rating_of, tables_of
+from torquerig.study.monte_carlo.sensitivity import Sensitivity, sensitivity
 
 LANES = 8  # rigs that the vector registers hold
 LARGEST_BLOCK = 64  # cases; with drawn pole pairs and slots few rigs of eight are alike
@@ -50,6 +52,38 @@ def run_draws(
     rows = run.rows()
     tables = tables_of(drawn, rows[rows["draw"] < draws])
     return Draws(run, tables, rating.ranking(tables))
+
+
+@dataclass(frozen=True)
+class DesignedDraws:
+    """The rows of a sensitivity study, and what they say."""
+
+    run: StudyRun
+    design: Design
+    found: Sensitivity
+
+
+def run_design(
+    drawn: DrawnStudy, method: Method, count: int, *, folder: Path, engine: Engine | None = None,
+    seconds: float | None = SECONDS, progress: Callable[[Progress], None] | None = None,
+) -> DesignedDraws:  # fmt: skip
+    """Compute the rows of a Sobol or Morris design that the store lacks, and return the effect of each open value.
+
+    Raises
+    ------
+    InputError
+        As :func:`run_draws`, and where a drive has no reading error at a row.
+    """
+    rating, design = rating_of(drawn), design_of(drawn, method, count)
+    cases = design.cases(drawn)
+    run = run_cases(
+        drawn_rows, drawn, cases, folder=folder, identity=drawn.identity(design.plan), engine=engine,
+        block_size=_block_size(drawn), limits=Limits(seconds=seconds), progress=progress,
+    )  # fmt: skip
+    rows = run.rows()
+    tables = design.filled(tables_of(drawn, rows[rows["case"].isin([case.number for case in cases])]))
+    found = sensitivity(drawn, design, tables, rating.ranking(tables), prices=rating.prices)
+    return DesignedDraws(run, design, found)
 
 
 def _block_size(drawn: DrawnStudy) -> int:
