@@ -150,3 +150,16 @@ operating_point:
     belt = behind_stage(sized, {}, "belt").torque
     still = ~sized.requirement().step
     assert abs(belt[still]).max() == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_sensor_at_the_foot_reads_the_motor_s_torque_without_its_friction() -> None:
+    """A ramp of 10 rad/s^2 at the output: rotor and all behind it; 0.02 N m of friction is not read."""
+    foot = "{kind: reaction_torque_sensor, stiffness: 30 kN*m/rad, damping: 0 N*m*s/rad, housing_inertia: 30 kg*cm^2"
+    rubbing = "motor: {kind: motor, catalog: bldc-12n14p, coulomb: 0.02 N*m, viscous: 0 N*m*s/rad}"
+    parts = (rubbing, f"foot: {foot}, bandwidth: 1 kHz}}", "drum: {kind: body, inertia: 0.05 kg*m^2}", REST[-1])
+    listed = "\n".join(f"  {one}" for one in parts)
+    document = parse_document(f"{RAMPS}\nmeasured: foot\nrig:\n{listed}\n", Path("foot.yaml"))
+    sized = sized_drive(read_scenario(document, CATALOG, seed=1), CATALOG)
+    expected = (0.05 + sized.part.inertia) * 10.0
+    assert before_sensor(sized, {}).peak == pytest.approx(expected, rel=1e-9)
+    assert sized.requirement().at_worst()[0] == pytest.approx(expected + 0.02, rel=1e-9)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from torquerig.metrics.sizing.output_torque import Floats, OutputTorque
 from torquerig.rig.assembly import Rig
 from torquerig.rig.drive_train import DriveTrain, Place, drive_train, passive_terms, places_from, springs_of
-from torquerig.rig.parts import Gear, Motor
+from torquerig.rig.parts import Gear, Motor, ReactionTorqueSensor
 from torquerig.rig.reading_place import reading_place
 from torquerig.rig.terms import GROUND, Inertia, ShaftMotion, Spring, Term
 from torquerig.scenario.drive_requirement import DriveRequirement
@@ -63,7 +63,12 @@ def torque_of_stage(requirement: DriveRequirement, rig: Rig, *, motor: Motor, st
 
 
 def torque_at_sensor(requirement: DriveRequirement, rig: Rig, *, motor: Motor) -> OutputTorque:
-    """Return torque and speed of the shaft before the sensor, as :func:`torque_of_stage`, all before it subtracted."""
+    """Return torque and speed of the shaft before the sensor, as :func:`torque_of_stage`, all before it subtracted.
+
+    A sensor at the motor's foot reads the motor's torque less the motor's friction.
+    """
+    if isinstance(rig.part(rig.measured), ReactionTorqueSensor):
+        return _walked(requirement, rig, replace(motor, inertia=0.0), ())
     way = _way(rig, motor.name, reading_place(rig))
     node = way[-1].near if way else rig.node(motor.name)
     return _walked(requirement, rig, motor, way[:-1], hung=_hung(rig, node, motor.name))
