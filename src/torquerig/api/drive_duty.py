@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 from torquerig.api.inputs import scenario_from
 from torquerig.api.result import Result
 from torquerig.errors import InputError
+from torquerig.scenario.checks.requirement_check import check_requirement, entry_of
 from torquerig.scenario.drive_requirement import drive_requirement
 from torquerig.scenario.kinematics import ratio_text
 from torquerig.scenario.model import Scenario
-from torquerig.scenario.requirement_check import check_requirement, entry_of
 from torquerig.thermal.duty_temperatures import DutyTemperatures, Span, temperatures_of_duty
 from torquerig.thermal.motor_duty import MotorDuty, duty_of_requirement
 from torquerig.thermal.motor_variants import ThermalVariants, thermal_variants

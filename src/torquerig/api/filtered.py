@@ -11,7 +11,7 @@ from torquerig.catalog.shipped import shipped_scenarios
 from torquerig.errors import InputError, did_you_mean
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.model import Scenario
-from torquerig.scenario.recorded_drive import chains_for
+from torquerig.scenario.recorded.recorded_drive import chains_for
 
 
 def filter(  # noqa: A001 (the public name; this module does not use the built-in)

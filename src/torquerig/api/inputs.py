@@ -13,7 +13,12 @@ from torquerig.errors import InputError
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.model import Scenario
-from torquerig.scenario.recorded_drive import RecordedDrive, at_stated_ratio, recorded_drive, refuse_other_travel
+from torquerig.scenario.recorded.recorded_drive import (
+    RecordedDrive,
+    at_stated_ratio,
+    recorded_drive,
+    refuse_other_travel,
+)
 
 
 def scenario_from(

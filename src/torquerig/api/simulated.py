@@ -10,8 +10,8 @@ from warnings import warn
 from torquerig.api.inputs import recording_from, scenario_from
 from torquerig.recordings.inputs import Inputs
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.input_checks import as_driven
 from torquerig.scenario.model import Scenario
+from torquerig.scenario.recorded.input_checks import as_driven
 from torquerig.simulation.input_channels import with_input_channels, with_inputs
 from torquerig.simulation.loop_stability import loop_warning
 from torquerig.simulation.simulator import simulate as simulate_rig

@@ -15,11 +15,11 @@ from torquerig.diagnosis.sheet_ratio import at_ratio_of
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.recording import Recording
 from torquerig.rig.reading_place import effort_unit
-from torquerig.scenario.compared_channel import as_measured, what_is_compared
-from torquerig.scenario.input_checks import as_driven, inputs_shown
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.model import Scenario
-from torquerig.scenario.sensor_priors import sensor_priors
+from torquerig.scenario.recorded.compared_channel import as_measured, what_is_compared
+from torquerig.scenario.recorded.input_checks import as_driven, inputs_shown
+from torquerig.scenario.recorded.sensor_priors import sensor_priors
 from torquerig.simulation.condensation.beforehand import said_beforehand
 
 _HEAD = ["recording", "samples", "per second", "compared channel", "rms", "motion"]

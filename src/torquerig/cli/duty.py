@@ -15,10 +15,10 @@ from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import read_recording
 from torquerig.rig.leading_part import leading_motor
 from torquerig.rig.parts import WormGear
+from torquerig.scenario.checks.requirement_check import check_requirement, entry_of
+from torquerig.scenario.checks.unused import unused_by_run
 from torquerig.scenario.drive_requirement import drive_requirement
 from torquerig.scenario.kinematics import ratio_text
-from torquerig.scenario.requirement_check import check_requirement, entry_of
-from torquerig.scenario.unused import unused_by_run
 from torquerig.study.one_drive import scenario_or_candidate
 from torquerig.thermal.duty_temperatures import DutyTemperatures, temperatures_of_duty
 from torquerig.thermal.duty_text import duty_rows, figure_rows, verdict_sentence

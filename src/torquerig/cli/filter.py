@@ -35,7 +35,7 @@ from torquerig.recordings.inspection.recording_info import recording_info
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.set_point import missing_speed, set_point_speed
 from torquerig.renamed import current_name
-from torquerig.scenario.recorded_drive import RecordedDrive, chains_for, recorded_drive
+from torquerig.scenario.recorded.recorded_drive import RecordedDrive, chains_for, recorded_drive
 from torquerig.units import parse_quantity
 
 _AS_THEY_ARE = "suspicious samples are filtered as they are"

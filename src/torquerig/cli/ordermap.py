@@ -27,7 +27,7 @@ from torquerig.recordings.files import read_recording
 from torquerig.recordings.inspection.recording_info import recording_info
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.recorded_drive import recorded_drive
+from torquerig.scenario.recorded.recorded_drive import recorded_drive
 from torquerig.units import parse_quantity
 
 _ENDS = (1, 99)  # [%] quantiles of the speed that are printed as its range

@@ -23,10 +23,10 @@ from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import WormGear
 from torquerig.rig.parts.gear_stage import gear_stages
+from torquerig.scenario.checks.requirement_check import check_requirement
+from torquerig.scenario.checks.unused import unused_by_simulation
 from torquerig.scenario.kinematics import ratio_text
 from torquerig.scenario.model import Scenario
-from torquerig.scenario.requirement_check import check_requirement
-from torquerig.scenario.unused import unused_by_simulation
 from torquerig.simulation.input_channels import with_input_channels
 from torquerig.simulation.loop_stability import loop_warning
 from torquerig.simulation.measured_places import channel_name, what_is_read

@@ -14,8 +14,8 @@ from torquerig.errors import InputError
 from torquerig.metrics.sizing.sized_drive import SizedDrive, sized_drive
 from torquerig.plain_table import grid, wrapped
 from torquerig.rig.parts import WormGear
+from torquerig.scenario.checks.requirement_check import check_requirement
 from torquerig.scenario.kinematics import ratio_text
-from torquerig.scenario.requirement_check import check_requirement
 from torquerig.study.definition import Study, open_study
 from torquerig.study.one_drive import scenario_or_candidate
 from torquerig.study.ratio_sweep import RatioSweep, can_sweep, ratio_sweep

@@ -9,15 +9,15 @@ from torquerig.diagnosis.engine import Outcome, diagnose
 from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome, diagnose_motion
 from torquerig.diagnosis.motion.moved import under_measured_motion
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.compared_channel import (
+from torquerig.scenario.catalog_values.readings import other_readings
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.recorded.compared_channel import (
     as_measured,
     what_is_compared,
     with_sensor_errors,
     without_sensor_errors,
 )
-from torquerig.scenario.input_checks import as_driven
-from torquerig.scenario.model import Scenario
-from torquerig.scenario.readings import other_readings
+from torquerig.scenario.recorded.input_checks import as_driven
 
 AnyOutcome = Outcome | MotionOutcome
 

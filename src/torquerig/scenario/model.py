@@ -12,12 +12,12 @@ from torquerig.catalog.reading import Catalog
 from torquerig.document import Document
 from torquerig.parameter import Estimate
 from torquerig.rig.assembly import Part, Rig
-from torquerig.scenario.filled import FromCatalog
+from torquerig.scenario.catalog_values.filled import FromCatalog
+from torquerig.scenario.conditions.operating_point import OperatingPoint
+from torquerig.scenario.conditions.recording_settings import RecordingSettings
 from torquerig.scenario.measured import written_measured
-from torquerig.scenario.operating_point import OperatingPoint
-from torquerig.scenario.recording_settings import RecordingSettings
+from torquerig.scenario.numbers.uncertain_text import with_uncertainty
 from torquerig.scenario.sections import read_operating_point
-from torquerig.scenario.uncertain_text import with_uncertainty
 from torquerig.scenario.writing import scenario_text, write_scenario, written_part
 from torquerig.shown import figure, notebook_html
 

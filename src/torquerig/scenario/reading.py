@@ -13,18 +13,18 @@ from torquerig.document import Document, validated
 from torquerig.errors import InputError, TorquerigError, did_you_mean
 from torquerig.parameter import Estimate
 from torquerig.rig.assembly import HOST_FIELDS, Part, Rig
-from torquerig.scenario.filled import Filled, FromCatalog
-from torquerig.scenario.from_catalog import filled_from_catalog
+from torquerig.scenario.catalog_values.filled import Filled, FromCatalog
+from torquerig.scenario.catalog_values.from_catalog import filled_from_catalog
+from torquerig.scenario.catalog_values.phase_level import is_from_phase_level, with_phase_level
+from torquerig.scenario.checks.misplaced import place_of
+from torquerig.scenario.conditions.operating_point import OperatingPoint, run_at
+from torquerig.scenario.conditions.recording_settings import RecordingSettings
 from torquerig.scenario.kinds import KINDS
 from torquerig.scenario.measured import with_measured
-from torquerig.scenario.misplaced import place_of
 from torquerig.scenario.model import Scenario
-from torquerig.scenario.operating_point import OperatingPoint, run_at
+from torquerig.scenario.numbers.uncertain import resolved
 from torquerig.scenario.overrides import naming_edits
-from torquerig.scenario.phase_level import is_from_phase_level, with_phase_level
-from torquerig.scenario.recording_settings import RecordingSettings
 from torquerig.scenario.sections import read_operating_point, read_section, sections_of
-from torquerig.scenario.uncertain import resolved
 from torquerig.section_schema import schema_of
 
 

@@ -10,10 +10,10 @@ from pydantic import BaseModel
 
 from torquerig.document import Document, validated, with_new_keys
 from torquerig.errors import InputError, did_you_mean
+from torquerig.scenario.checks.misplaced import place_of
+from torquerig.scenario.conditions.operating_point import OperatingPoint
 from torquerig.scenario.kinds import KINDS
-from torquerig.scenario.misplaced import place_of
-from torquerig.scenario.operating_point import OperatingPoint
-from torquerig.scenario.uncertain import Resolved, resolved
+from torquerig.scenario.numbers.uncertain import Resolved, resolved
 from torquerig.section_schema import schema_of
 
 if TYPE_CHECKING:

@@ -17,7 +17,7 @@ from pydantic import (
 from torquerig.filters.chains.renamed_chains import current_chain
 from torquerig.parameter import Parameter
 from torquerig.renamed import current_name
-from torquerig.scenario.percent import Percent
+from torquerig.scenario.numbers.percent import Percent
 
 Metric = Literal[
     "truth_error", "disturbance", "speed_reserve", "speed_use", "continuous_output_torque", "torque_reserve",

@@ -12,7 +12,7 @@ from torquerig.errors import InputError
 from torquerig.parameter import Estimate, Parameter
 from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.measured import written_measured
-from torquerig.scenario.uncertain_text import by_part, with_uncertainty
+from torquerig.scenario.numbers.uncertain_text import by_part, with_uncertainty
 from torquerig.units import written_quantity
 from torquerig.whole_file import whole_file
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from torquerig.decide.cell import Origin
 from torquerig.metrics.figure import Figure
 from torquerig.parameter import Estimate
-from torquerig.scenario.filled import FromCatalog
+from torquerig.scenario.catalog_values.filled import FromCatalog
 from torquerig.study.results import DriveResult
 from torquerig.study.settings import SIMULATED, Metric, Settings
 from torquerig.units import in_unit

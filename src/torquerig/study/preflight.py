@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from torquerig.errors import InputError
+from torquerig.scenario.checks.requirement_check import requirement_faults
 from torquerig.scenario.drive_requirement import drive_requirement
 from torquerig.scenario.model import Scenario
-from torquerig.scenario.requirement_check import requirement_faults
 from torquerig.study.candidates import Candidate
 from torquerig.study.criteria import criteria_of, requirements_of
 from torquerig.study.definition import Study

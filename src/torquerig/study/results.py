@@ -10,7 +10,7 @@ from torquerig.metrics.figure import Figure
 from torquerig.metrics.load_path import LoadPath
 from torquerig.metrics.shares import Shares
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.filled import FromCatalog
+from torquerig.scenario.catalog_values.filled import FromCatalog
 from torquerig.study.candidates import Candidate
 from torquerig.study.definition import Study
 from torquerig.study.loop_margin import LoopMargin

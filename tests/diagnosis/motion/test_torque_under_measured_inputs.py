@@ -16,10 +16,10 @@ from torquerig.diagnosis.motion.moved import imposed_part, moved_runs
 from torquerig.diagnosis.motion.predicted import predicted
 from torquerig.document import parse_document
 from torquerig.recordings.recording import Channel, Recording
-from torquerig.scenario.compared_channel import as_measured
-from torquerig.scenario.input_checks import as_driven
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
+from torquerig.scenario.recorded.compared_channel import as_measured
+from torquerig.scenario.recorded.input_checks import as_driven
 
 SHAFT = """
 operating_point: {point}

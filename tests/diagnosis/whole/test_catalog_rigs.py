@@ -13,9 +13,9 @@ from torquerig.diagnosis.engine import diagnose
 from torquerig.document import read_document
 from torquerig.mechanisms import MainsInterference
 from torquerig.recordings.recording import Recording
+from torquerig.scenario.catalog_values.readings import other_readings
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
-from torquerig.scenario.readings import other_readings
 
 pytestmark = pytest.mark.full
 

@@ -14,7 +14,7 @@ from torquerig.mechanisms import ParticleLoad, TorqueRipple
 from torquerig.parameter import Estimate
 from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.tolerance import deviation
+from torquerig.scenario.numbers.tolerance import deviation
 
 LOAD_LEVEL_SPREAD = 0.05  # the mean load of a real rig is known to a few per cent (reference rig)
 _NOISE_SPREAD = 0.5  # an amplifier that is louder than its data sheet is no missing physics

@@ -11,7 +11,7 @@ from torquerig.metrics.figure import Figure
 from torquerig.parameter import EVIDENCE
 from torquerig.reporting.layout import listed, plain
 from torquerig.reporting.study.chapters import rule_text
-from torquerig.scenario.recording_settings import RecordingSettings
+from torquerig.scenario.conditions.recording_settings import RecordingSettings
 from torquerig.scenario.sections import read_operating_point, read_section
 from torquerig.study.candidates import left_out_gearboxes
 from torquerig.study.exchanged_data import left_out_effects

@@ -9,8 +9,8 @@ from torquerig.catalog.entry import estimates
 from torquerig.catalog.motor import Motor
 from torquerig.catalog.phases import sample_phases
 from torquerig.errors import InputError, did_you_mean
-from torquerig.scenario.filled import Filled, FromCatalog
-from torquerig.scenario.from_catalog import sample_of
+from torquerig.scenario.catalog_values.filled import Filled, FromCatalog
+from torquerig.scenario.catalog_values.from_catalog import sample_of
 from torquerig.units import written_quantity
 
 SOURCES = ("from_catalog", "from_phase_level")

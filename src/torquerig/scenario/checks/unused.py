@@ -10,7 +10,7 @@ from torquerig.errors import InputError
 from torquerig.recordings.profiles.breakpoints import Breakpoints
 from torquerig.recordings.profiles.tabulated import Tabulated
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.locked_ends import at_locked_ends
+from torquerig.scenario.checks.locked_ends import at_locked_ends
 from torquerig.scenario.model import Scenario
 
 _POINT = "operating_point"

@@ -9,7 +9,7 @@ from torquerig.catalog.lines import RippleLine, ripple_lines
 from torquerig.catalog.motor import Motor
 from torquerig.catalog.sampling import Sample
 from torquerig.parameter import Estimate
-from torquerig.scenario.filled import Filled
+from torquerig.scenario.catalog_values.filled import Filled
 from torquerig.units import written_quantity
 
 GROUPS = {

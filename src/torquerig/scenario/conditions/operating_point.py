@@ -15,10 +15,10 @@ from torquerig.recordings.run import WANDER_CUTOFF, Profile, Run
 from torquerig.rig.assembly import Rig
 from torquerig.rig.leading_part import leading_motor, leading_part
 from torquerig.rig.reading_place import reading_place
+from torquerig.scenario.conditions.planned import planned
+from torquerig.scenario.conditions.profile_text import DutyCycleText, TableText
 from torquerig.scenario.kinematics import kinematics_of, stages_to
-from torquerig.scenario.percent import Percent
-from torquerig.scenario.planned import planned
-from torquerig.scenario.profile_text import DutyCycleText, TableText
+from torquerig.scenario.numbers.percent import Percent
 
 
 class Load(BaseModel):

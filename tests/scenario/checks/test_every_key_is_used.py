@@ -21,12 +21,12 @@ from torquerig.errors import TorquerigError
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.rig.assembly import Rig
 from torquerig.rig.drive_train import driven_motor
+from torquerig.scenario.checks.unused import unused_by_simulation
 from torquerig.scenario.drive_requirement import drive_requirement
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
-from torquerig.scenario.sensor_priors import sensor_priors
-from torquerig.scenario.unused import unused_by_simulation
+from torquerig.scenario.recorded.sensor_priors import sensor_priors
 from torquerig.simulation.input_channels import driven_parts, with_inputs
 from torquerig.simulation.simulator import simulate
 from torquerig.study import planned_drive

@@ -9,8 +9,8 @@ import pytest
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import Document, read_document
+from torquerig.scenario.catalog_values.readings import other_readings
 from torquerig.scenario.reading import read_scenario
-from torquerig.scenario.readings import other_readings
 
 STATED = "bldc-12n14p, torque_limit: 2.0 N*m"
 

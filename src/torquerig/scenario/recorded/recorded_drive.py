@@ -16,7 +16,7 @@ from torquerig.rig.parts import InductionDrive
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.load_response import load_response
 from torquerig.scenario.reading import read_scenario
-from torquerig.scenario.recording_lines import SAME_RATIO, kinematics_of_recording
+from torquerig.scenario.recorded.recording_lines import SAME_RATIO, kinematics_of_recording
 from torquerig.simulation.simulator import SAMPLE_RATE
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder
 from torquerig.parameter import Estimate
 from torquerig.rig.parts import Coupling, Gear, Motor, TorqueSensor
-from torquerig.scenario.from_catalog import FIELDS, filled_from_catalog
+from torquerig.scenario.catalog_values.from_catalog import FIELDS, filled_from_catalog
 from torquerig.scenario.reading import KINDS
 
 CATALOG = load_catalog(shipped_folder())
@@ -66,7 +66,7 @@ def test_reference_sensor_brings_its_converter() -> None:
 
 
 def test_shipped_folder_is_the_checkouts() -> None:
-    assert shipped_folder() == Path(__file__).resolve().parents[2] / "catalogs"
+    assert shipped_folder() == Path(__file__).resolve().parents[3] / "catalogs"
 
 
 def test_what_is_drawn_from_an_interval_may_be_turned_by_a_calibration() -> None:

@@ -15,11 +15,11 @@ from torquerig.document import read_document
 from torquerig.errors import InputError
 from torquerig.rig.parts import Motor
 from torquerig.rig.steady import steady_torque
+from torquerig.scenario.checks.requirement_check import check_requirement, requirement_faults
 from torquerig.scenario.drive_requirement import drive_requirement
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.overrides import overridden
 from torquerig.scenario.reading import read_scenario
-from torquerig.scenario.requirement_check import check_requirement, requirement_faults
 
 # ruff: noqa: E501 (a table: one case in a row)
 RPM = pi / 30

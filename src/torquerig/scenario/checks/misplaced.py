@@ -8,9 +8,9 @@ from typing import Any, get_args
 
 from pydantic import BaseModel
 
+from torquerig.scenario.conditions.operating_point import OperatingPoint
+from torquerig.scenario.conditions.recording_settings import RecordingSettings
 from torquerig.scenario.kinds import KINDS
-from torquerig.scenario.operating_point import OperatingPoint
-from torquerig.scenario.recording_settings import RecordingSettings
 
 _TOP = ("scenario", "operating_point", "recording", "measured", "rig", "study")
 _OF_EVERY_PART = ("name", "kind", "group")

@@ -14,8 +14,8 @@ from torquerig.catalog.reading import Catalog
 from torquerig.catalog.sampling import Sample, sample_entry, sample_teeth
 from torquerig.catalog.sensor import Sensor
 from torquerig.errors import InputError, UnknownNameError
-from torquerig.scenario.filled import Filled, FromCatalog
-from torquerig.scenario.motor_effects import motor_effects
+from torquerig.scenario.catalog_values.filled import Filled, FromCatalog
+from torquerig.scenario.catalog_values.motor_effects import motor_effects
 from torquerig.units import in_unit, written_quantity
 
 AnyEntry = TypeVar("AnyEntry", bound=Entry)

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from torquerig.errors import InputError, TorquerigError
 from torquerig.recordings.inputs import driven_by
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.compared_channel import check_parts
 from torquerig.scenario.model import Scenario
+from torquerig.scenario.recorded.compared_channel import check_parts
 from torquerig.simulation.input_channels import channel_of, driven_parts
 
 

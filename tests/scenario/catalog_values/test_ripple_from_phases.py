@@ -14,7 +14,7 @@ from torquerig.mechanisms import CommutationRipple, FieldOrientedControl, SixSte
 from torquerig.rig.host_changes import DriveRipple, waves_of
 from torquerig.rig.parts import MotorPhases
 from torquerig.rig.steady import steady_torque
-from torquerig.scenario.from_catalog import sample_of
+from torquerig.scenario.catalog_values.from_catalog import sample_of
 from torquerig.scenario.overrides import overridden
 from torquerig.scenario.reading import read_scenario
 

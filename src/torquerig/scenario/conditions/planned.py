@@ -10,7 +10,7 @@ from torquerig.recordings.profiles.from_file import read_profile
 from torquerig.recordings.profiles.tabulated import Tabulated
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Load
-from torquerig.scenario.profile_text import DutyCycleText, SegmentText, TableText
+from torquerig.scenario.conditions.profile_text import DutyCycleText, SegmentText, TableText
 
 
 def planned(written: DutyCycleText | TableText, rig: Rig, *, motor_turns: float, folder: Path) -> Tabulated:

@@ -12,8 +12,8 @@ from pydantic import BaseModel
 
 from torquerig.errors import InputError, UnitError, did_you_mean
 from torquerig.parameter import Estimate, Parameter
-from torquerig.scenario.percent import Percent, read_percent
-from torquerig.scenario.tolerance import NumberText, Uncertain, UncertaintyError, deviation, uncertain_number
+from torquerig.scenario.numbers.percent import Percent, read_percent
+from torquerig.scenario.numbers.tolerance import NumberText, Uncertain, UncertaintyError, deviation, uncertain_number
 
 Known = TypeVar("Known")
 Place = Callable[[tuple[Any, ...]], str]

@@ -16,9 +16,14 @@ from torquerig.document import parse_document
 from torquerig.errors import InputError
 from torquerig.recordings.files import read_recording, write_recording
 from torquerig.recordings.recording import Channel, Recording
-from torquerig.scenario.compared_channel import as_measured, what_is_compared, with_sensor_errors, without_sensor_errors
 from torquerig.scenario.reading import read_scenario
-from torquerig.scenario.sensor_priors import sensor_priors
+from torquerig.scenario.recorded.compared_channel import (
+    as_measured,
+    what_is_compared,
+    with_sensor_errors,
+    without_sensor_errors,
+)
+from torquerig.scenario.recorded.sensor_priors import sensor_priors
 from torquerig.simulation.simulator import simulate
 
 VALUES = np.arange(5.0)

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 from pydantic import BaseModel, ConfigDict, Field, StrictBool, field_validator, model_validator
 
 from torquerig.parameter import Parameter
-from torquerig.scenario.percent import Percent
+from torquerig.scenario.numbers.percent import Percent
 
 Repeats = Annotated[int, Field(ge=1, strict=True)]
 
