@@ -22,12 +22,6 @@ def fails(form: str, count: int, seed: int) -> str:
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("form", ["mat5", "mat7", "tdms"])
-def test_damaged_copies(form: str) -> None:
-    assert fails(form, 200, 1) == ""
-
-
-@pytest.mark.long
 @pytest.mark.parametrize("form", FORMATS)
 def test_many_damaged_copies(form: str) -> None:
     assert fails(form, 400 if form != "mdf" else 10, 2) == ""
