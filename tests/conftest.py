@@ -11,13 +11,20 @@ import pytest
 # a third of the processor's time
 os.environ |= dict.fromkeys(("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1") | dict(os.environ)
 
+# one worker compiles the integrator with this file, while the other has files that need no compiled kernel
+COMPILING, UNCOMPILED = "simulation/test_two_masses", "recordings/files/"
 # each takes a worker for half a minute or more, so none of them may begin last
 HEAVY = ("diagnosis/whole/", "diagnosis/advising/test_next_run", "simulation/test_batch", "examples/", "cli/", "study/")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Put the heaviest files first; a file's own order stays."""
-    items.sort(key=lambda item: not any(part in item.nodeid for part in HEAVY))
+    """Put the file that compiles first, then those without kernels and the heaviest; a file's own order stays."""
+    ranks = ((COMPILING,), (UNCOMPILED,), HEAVY)
+
+    def rank(item: pytest.Item) -> int:
+        return next((place for place, parts in enumerate(ranks) if any(each in item.nodeid for each in parts)), 3)
+
+    items.sort(key=rank)
 
 
 @pytest.hookimpl(optionalhook=True)
