@@ -151,7 +151,6 @@ def test_a_fault_of_the_samples_is_named_and_its_model_written(
     assert abs(volts - volts.round()).max() < 0.1
 
 
-@pytest.mark.long
 def test_to_standard_output_goes_the_json_alone_and_the_number_of_workers_changes_nothing(
     capsys: pytest.CaptureFixture[str],
 ) -> None:

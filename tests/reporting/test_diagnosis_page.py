@@ -30,6 +30,7 @@ from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.simulator import simulate
 
+pytestmark = pytest.mark.long  # one whole diagnosis for the file
 RATE = 5000.0
 MESH = GearMesh(name="hidden", order_output=84.0, transmission_error=(5e-5,))
 FREE = ("wear_part.inertia", "coupling.stiffness")
@@ -102,7 +103,6 @@ def test_the_page_says_what_the_diagnosis_says(page: str, outcome: Outcome) -> N
     assert "m.yaml" in text
 
 
-@pytest.mark.long
 def test_the_same_outcome_gives_the_same_page(page: str, outcome: Outcome) -> None:
     again = diagnosis_page(outcome, title="wear_rig", command="torquerig diagnose a", model="m.yaml", seed=0)
     assert again == page
@@ -127,7 +127,6 @@ def test_residuals_are_drawn_only_where_there_are_some(runs: tuple[Compared, ...
     assert not has_residuals(bare, ())
 
 
-@pytest.mark.long
 def test_the_page_of_nothing_missing_says_so_in_words(outcome: Outcome) -> None:
     fine = replace(outcome.diagnosis, verdict="adequate", mismatch=(), findings=())
     told = diagnosis_page(replace(outcome, diagnosis=fine, left=()), title="a", command="b", model=None, seed=0)

@@ -28,6 +28,8 @@ from torquerig.study.scoring import decide
 
 RATES = {"belt_servo_axis": 10e3, "linear_axis": 5e3, "spur_gearbox_mixer": 5e3, "shaft_line_design": 1e3}
 UNITS = {"linear_axis": "N"}
+SECONDS = ("belt_servo_axis", "spur_gearbox_mixer")  # what their commands take, each
+SHORT_AND_LONG = [pytest.param(name, marks=pytest.mark.long if name in SECONDS else ()) for name in RATES]
 
 
 @cache
@@ -44,7 +46,7 @@ def said(*arguments: object, capsys: pytest.CaptureFixture[str]) -> str:
     return capsys.readouterr().out
 
 
-@pytest.mark.parametrize("name", RATES)
+@pytest.mark.parametrize("name", SHORT_AND_LONG)
 def test_every_command_reads_the_rig(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     scenario, recording = shipped_scenarios() / f"{name}.yaml", tmp_path / "run.parquet"
     said("simulate", scenario, "--duration", "2 s", "--truth", "--out", recording, capsys=capsys)
@@ -57,7 +59,7 @@ def test_every_command_reads_the_rig(name: str, tmp_path: Path, capsys: pytest.C
     assert "mode 1" in said("modes", scenario, capsys=capsys)
 
 
-@pytest.mark.parametrize("name", RATES)
+@pytest.mark.parametrize("name", SHORT_AND_LONG)
 def test_the_motor_carries_its_load(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     scenario = shipped_scenarios() / f"{name}.yaml"
     assert "No limit is exceeded" in said("size", scenario, capsys=capsys)

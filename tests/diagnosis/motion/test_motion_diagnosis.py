@@ -63,6 +63,7 @@ def test_a_wrong_mass_is_no_missing_physics(diagnosed: Diagnosed, carriage: Carr
     assert aside["cogging"] == "the moved part is not a motor"
 
 
+@pytest.mark.long
 def test_friction_by_direction_is_named_with_its_numbers(diagnosed: Diagnosed, carriage: Carriage) -> None:
     outcome = diagnosed(carriage(friction))
     (finding,) = outcome.diagnosis.findings
