@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from torquerig.metrics.sizing.load_fidelity import FREQUENCIES, reading_per_load, rigid_fidelity
+from torquerig.metrics.sizing.load_fidelity import frequencies_of, reading_per_load, rigid_fidelity
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Load, Spring
 
@@ -38,6 +38,7 @@ def load_path(rig: Rig) -> LoadPath | None:
         return None
     if not any(isinstance(term, Spring) and term.name == rig.measured for term in terms):
         return None
-    gain = np.abs(reading_per_load(rig, FREQUENCIES, closed=True))
+    frequencies = frequencies_of(rig)
+    gain = np.abs(reading_per_load(rig, frequencies, closed=True))
     peak = int(np.argmax(gain))
-    return LoadPath(inertia_share=rigid_fidelity(rig), largest=float(gain[peak]), at=float(FREQUENCIES[peak]))
+    return LoadPath(inertia_share=rigid_fidelity(rig), largest=float(gain[peak]), at=float(frequencies[peak]))

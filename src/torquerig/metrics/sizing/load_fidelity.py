@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import pi
 
 import numpy as np
 
@@ -11,12 +12,13 @@ from torquerig.metrics.sizing.open_data import Values, over_intervals
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Inertia, Load, Spring
+from torquerig.scenario.kinematics import kinematics_of
 from torquerig.simulation.twin.linear_twin import twin_of
 from torquerig.simulation.twin.plant import load_input
 
 FLAT = 0.10  # [1] largest error of the reading relative to the load
-FREQUENCIES = np.geomspace(0.05, 2000.0, 800)  # [Hz] 1.3 % from one to the next
-INSIDE = 0.5  # [Hz] far below the crossover of every speed loop of a rig
+SLOW = 0.15  # [1/rev] periods of slow load per turn of the output shaft: slower than all that turns
+_OF_FIRST_MODE = np.geomspace(2.5e-4, 10.0, 800)  # [1] of the first mode; 1.3 % from one frequency to the next
 
 
 def load_fidelity(drive: SizedDrive) -> Mapping[str, Figure]:
@@ -33,9 +35,10 @@ def load_fidelity(drive: SizedDrive) -> Mapping[str, Figure]:
 
 
 def loop_fidelity(drive: SizedDrive) -> Mapping[str, Figure]:
-    """Return ``loop_fidelity`` [1], the share at 0.5 Hz, and ``flat_to`` [Hz], the bandwidth of the reading.
+    """Return ``loop_fidelity`` [1], the share of slow load, and ``flat_to`` [Hz], the bandwidth of the reading.
 
-    Below the crossover the share is 1 (for an integrating controller); flat is within 10 % of the load. Both are from
+    Slow load has 0.15 periods in a turn of the output shaft: 0.5 Hz at 200 rpm. Below the crossover the share is 1
+    (for an integrating controller); flat is within 10 % of the load, up to ten times the first mode. Both are from
     the linear twin with its loop closed, without amplifier, gaps and saturation.
     """
     rotor = {name: known for name, known in drive.data.items() if "inertia" in name}
@@ -72,10 +75,18 @@ def rigid_fidelity(rig: Rig) -> float:
 
 
 def twin_fidelity(rig: Rig) -> tuple[float, float]:
-    """Return the share of the load in the reading at 0.5 Hz, and the frequency up to which it is within 10 % [Hz]."""
-    gain = np.abs(reading_per_load(rig, np.append(FREQUENCIES, INSIDE), closed=True))
+    """Return the share of slow load in the reading, and the frequency up to which it is within 10 % [Hz]."""
+    frequencies = frequencies_of(rig)
+    slow = SLOW * abs(rig.run.speed or 0.0) / (2 * pi * kinematics_of(rig).ratio) or frequencies[0]
+    gain = np.abs(reading_per_load(rig, np.append(frequencies, slow), closed=True))
     off = np.flatnonzero(np.abs(gain[:-1] - 1) > FLAT)
-    return float(gain[-1]), float(FREQUENCIES[off[0]] if off.size else FREQUENCIES[-1])
+    return float(gain[-1]), float(frequencies[off[0] if off.size else -1])
+
+
+def frequencies_of(rig: Rig) -> np.ndarray:
+    """Return frequencies [Hz] from far below the first mode of a rig to ten times that, shape (frequencies,)."""
+    first = next((mode.undamped for mode in twin_of(rig).modes()), 1.0)
+    return np.asarray(_OF_FIRST_MODE * first)
 
 
 def reading_per_load(rig: Rig, frequencies: np.ndarray, *, closed: bool) -> np.ndarray:

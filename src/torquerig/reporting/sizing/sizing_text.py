@@ -28,7 +28,7 @@ LABELS: Mapping[str, str] = {
     "sensor_cycle_use": "sensor: largest torque / range", "sensor_range_use": "sensor: drive's limit / range",
     "sensor_overload": "sensor: drive's limit / limit load",
     "sensor_overload_unlimited": "sensor: peak torque / limit load, no drive limit",
-    "load_fidelity": "load in the reading, outside the loop", "loop_fidelity": "load in the reading at 0.5 Hz",
+    "load_fidelity": "load in the reading, outside the loop", "loop_fidelity": "slow load in the reading",
     "flat_to": "reading within 10 % of the load up to",
 }  # fmt: skip
 IN_TABLE: Mapping[str, str] = {
