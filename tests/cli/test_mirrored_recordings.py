@@ -7,8 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from torquerig.catalog.shipped import shipped_scenarios
 from torquerig.cli import main
-from torquerig.recordings.files import write_recording
+from torquerig.recordings.files import read_recording, write_recording
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
 
@@ -31,6 +32,8 @@ def motion(profile: str) -> np.ndarray:
     """Return the speed of the motor [rad/s]."""
     if profile == "steady":
         return TOP * (1 + 0.002 * np.sin(2 * pi * 0.2 * TIME))
+    if profile == "reversal":
+        return TOP * np.sin(4 * pi * TIME / SECONDS)
     return TOP * np.where(TIME < 0.9 * SECONDS, 0.1 + TIME / SECONDS, 1.0)
 
 
@@ -116,3 +119,103 @@ def test_as_many_suspicions_are_found(name):
 
     plain, changed = recorded("steady", "encoder"), recorded("steady", "encoder", **VARIANTS[name])
     assert len(recording_info(changed).suspicions()) == len(recording_info(plain).suspicions())
+
+
+# a reversal, and the commands that read a scenario
+
+SCENARIO = """
+operating_point: {output_speed: SPEED, load: {occupancy: 5 %}, duty_cycle: {segments: [
+  {duration: 1 s, output_speed: SPEED, ramp: true, load_torque: 1 N*m},
+  {duration: 5 s, output_speed: SPEED, load_torque: 2 N*m}, {duration: 4 s, output_speed: 0 rpm, load_torque: 0 N*m}]}}
+measured: sensor
+recording: {sample_rate: 1 kHz, duration: 1 s, settling: 1 s}
+rig:
+  motor: {kind: motor, catalog: HDS6A-0104A}
+  gear: {kind: gear, ratio: RATIO, stiffness: 5 kN*m/rad, damping: 1 N*m*s/rad, efficiency: 0.9,
+         output_inertia: 5 kg*cm^2}
+  sensor: {kind: torque_sensor, stiffness: 2 kN*m/rad, damping: 0.1 N*m*s/rad, inertia: 1 kg*cm^2,
+           sensitivity: 1 V/(N*m), bandwidth: 200 Hz, noise_rms: 1 mV, mounting: MOUNTING}
+  drum: {kind: body, inertia: 0.005 kg*m^2, viscous: 0.02 N*m*s/rad}
+  load: {kind: particle_load, at: drum, mean_by_occupancy_percent: {0: 0.5 N*m, 10: 2 N*m}, hit_rms: 0.05}
+  controller: {kind: speed_controller, motor: motor, kp: 0.02 N*m*s/rad, ki: 0.1 N*m/rad}
+  encoder: {kind: motor_encoder, counts_per_rev: 4096}
+"""
+RIGS = {
+    "as it is": ("120 rpm", "5", "forward"),
+    "the other way": ("-120 rpm", "5", "forward"),
+    "behind a reversing gear": ("120 rpm", "-5", "forward"),
+    "both": ("-120 rpm", "-5", "forward"),
+    "sensor the other way round": ("120 rpm", "5", "reversed"),
+}
+
+
+def written(folder: Path, name: str) -> Path:
+    speed, ratio, mounting = RIGS[name]
+    path = folder / "rig.yaml"
+    text = SCENARIO.replace("SPEED", speed).replace("RATIO", ratio).replace("MOUNTING", mounting)
+    path.write_text(text if mounting == "reversed" else text.replace(", mounting: forward", ""))
+    return path
+
+
+@pytest.mark.parametrize("name", VARIANTS)
+def test_a_reversal_is_filtered_and_mapped_the_same(name):
+    import torquerig as tr
+
+    plain, changed = recorded("reversal", "encoder"), recorded("reversal", "encoder", **VARIANTS[name])
+    sign = VARIANTS[name].get("torque", 1)
+    filtered = [tr.filter(one, "order_lines").torque() for one in (plain, changed)]
+    assert sign * filtered[1] == pytest.approx(filtered[0], abs=1e-9)
+    assert np.std(filtered[0]) < np.std(plain.torque())
+    lines = [tr.order_lines(one).lines for one in (plain, changed)]
+    assert [one.label for one in lines[1]] == [one.label for one in lines[0]]
+    assert [one.place for one in lines[1]] == pytest.approx([one.place for one in lines[0]], rel=1e-9)
+
+
+@pytest.mark.parametrize("command", [("size",), ("duty", "--profile", "duty_cycle")])
+def test_size_and_duty_say_the_same_of_a_mirrored_rig(tmp_path, capsys, command):
+    said = {}
+    for name in RIGS:
+        said[name] = told(capsys, written(tmp_path, name), *command)
+    assert all(one == said["as it is"] for one in said.values())
+
+
+def test_a_simulated_mirrored_rig_reads_the_mirrored_load(tmp_path, capsys):
+    levels = {}
+    for name, (speed, _, _) in RIGS.items():
+        out = tmp_path / "run.parquet"
+        main(("simulate", str(written(tmp_path, name)), "--out", str(out), "--force"))
+        capsys.readouterr()
+        read = read_recording(out)
+        sign = -1 if speed.startswith("-") else 1
+        assert np.sign(read.run.speed) == sign * (-1 if RIGS[name][1] == "-5" else 1)
+        levels[name] = sign * read.torque().mean(), read.torque().std()
+    # the lines of motor and load meet in another phase
+    for name, (mean, spread) in levels.items():
+        assert mean == pytest.approx(levels["as it is"][0], rel=0.01), name
+        assert spread == pytest.approx(levels["as it is"][1], rel=0.25), name
+
+
+@pytest.mark.parametrize("profile", ["steady", "reversal"])
+def test_a_check_before_a_diagnosis_says_the_same(tmp_path, monkeypatch, capsys, profile):
+    monkeypatch.chdir(tmp_path)
+    path, scenario = tmp_path / "run.parquet", str(shipped_scenarios() / "wear_rig.yaml")
+    said = {}
+    for name, changed in {"plain": {}, **VARIANTS}.items():
+        write_recording(recorded(profile, "encoder", **changed), path, overwrite=True)
+        said[name] = told(capsys, path, "diagnose", "--scenario", scenario, "--check")
+    for name, words in said.items():
+        assert words == said["plain"], name
+
+
+def test_the_duty_of_a_mirrored_recording_is_the_same():
+    from torquerig.thermal.motor_duty import duty_of_recording
+
+    duties = []
+    for sign in (1, -1):
+        one = recorded("reversal", "speed", torque=sign, angle=sign, speed=sign)
+        motor = Channel(values=one.torque(), quantity="motor_torque", unit="N*m")
+        duties.append(duty_of_recording(one.with_channel("motor_torque", motor)))
+    first, second = duties
+    assert second.rms_torque == pytest.approx(first.rms_torque, rel=1e-12)
+    assert second.mean_speed == pytest.approx(first.mean_speed, rel=1e-12)
+    assert second.peak_torque == pytest.approx(first.peak_torque, rel=1e-12)
