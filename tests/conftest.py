@@ -14,7 +14,10 @@ os.environ |= dict.fromkeys(("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1") | 
 # one worker compiles the integrator with this file, while the other has files that need no compiled kernel
 COMPILING, UNCOMPILED = "simulation/test_two_masses", "recordings/files/"
 # each takes a worker for half a minute or more, so none of them may begin last
-HEAVY = ("diagnosis/whole/", "diagnosis/advising/test_next_run", "simulation/test_batch", "examples/", "cli/", "study/")
+HEAVY = (
+    "diagnosis/whole/", "diagnosis/advising/test_next_run", "simulation/test_batch", "examples/", "cli/", "study/",
+    "scenario/test_rigs_of_other_designs", "test_public_face",
+)  # fmt: skip
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
