@@ -99,13 +99,13 @@ def design_of(drawn: DrawnStudy, method: Method, count: int) -> Design:
     InputError
         Where nothing is open, or ``count`` does not suit the method.
     """
+    if method == "sobol" and count & (count - 1):
+        lower = 1 << (count.bit_length() - 1)
+        raise InputError(f"--draws {count}: a Sobol design needs a power of two; write {lower} or {2 * lower}")
     of_drive = {name: tuple(_effective(drawn, name)) for name in drawn.drives}
     names = tuple(dict.fromkeys(name for listed in of_drive.values() for name in listed))
     if not names:
         raise InputError("the data sheets leave nothing open that changes a drive; there is no sensitivity to compute")
-    if method == "sobol" and count & (count - 1):
-        lower = 1 << (count.bit_length() - 1)
-        raise InputError(f"--draws {count}: a Sobol design needs a power of two; write {lower} or {2 * lower}")
     return Design(method, names, of_drive, _sampled(method, names, count, seed=drawn.study.settings.seed))
 
 
