@@ -1,7 +1,7 @@
 """The command line: one command per file, each imported only when it is called.
 
 init  catalog  orders  ordermap  modes  simulate  duty  size  synth  info  sheet  join  filter  matrix  diagnose
-reference-results  reference-decision  study  compare
+reference-results  reference-decision  study  optimise  compare
 """
 
 from __future__ import annotations
@@ -35,6 +35,7 @@ COMMANDS = {
     "reference-results": "compare the simulated rig with the results of the reference report",
     "reference-decision": "compute the motor decision of the reference report again, cell by cell",
     "study": "repeat a study for many draws of what data sheets leave open",
+    "optimise": "find the best gearbox, speed loop and filter for one motor",
     "compare": "simulate and rank every motor x gearbox x filter of a study",
 }
 _RENAMED = {"seed-results": "reference-results", "seed-decision": "reference-decision"}

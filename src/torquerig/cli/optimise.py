@@ -1,0 +1,81 @@
+"""``torquerig optimise``: the best gearbox, speed loop and filter for one motor."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from torquerig.catalog.search import catalog_for
+from torquerig.cli.common_options import catalog_option, set_option
+from torquerig.cli.progress import drive_progress
+from torquerig.document import read_document
+from torquerig.errors import InputError
+from torquerig.plain_table import wrapped
+from torquerig.reporting.study.optimum_text import front_text, optimum_text
+from torquerig.scenario.overrides import overridden
+from torquerig.study.definition import open_study
+
+
+class _Range(click.ParamType[tuple[float, float]]):
+    """Two numbers, written ``5..60``."""
+
+    name = "LOW..HIGH"
+
+    def convert(self, value: object, param: click.Parameter | None, ctx: click.Context | None) -> tuple[float, float]:
+        """Return both numbers."""
+        if isinstance(value, tuple):
+            return value
+        try:
+            low, high = (float(one) for one in str(value).split(".."))
+        except ValueError:
+            self.fail(f"{value!r} is no range; write both ends, such as 5..60", param, ctx)
+        return low, high
+
+
+@click.command("optimise")
+@click.argument("scenario", type=click.Path(path_type=Path))
+@click.option("--motor", default=None, help="Motor of the catalog. Default: the present one.")
+@click.option("--gearbox", "gearboxes", multiple=True,
+              help="Gearbox to try; repeatable. Default: those of the study.")  # fmt: skip
+@click.option("--crossover", type=_Range(), default="5..60", show_default=True,
+              help="Limits of the speed loop's crossover [Hz].")  # fmt: skip
+@click.option("--integral-corner", type=_Range(), default="0.3..5", show_default=True,
+              help="Limits of the corner of its integrator [Hz].")  # fmt: skip
+@click.option("--margin", type=float, default=0.5, show_default=True,
+              help="Least distance of the loop gain from -1.")  # fmt: skip
+@click.option("--evaluations", type=click.IntRange(16), default=160, show_default=True,
+              help="Speed loops to simulate for each gearbox, about.")  # fmt: skip
+@set_option
+@catalog_option
+def command(
+    *, scenario: Path, motor: str | None, gearboxes: tuple[str, ...], crossover: tuple[float, float],
+    integral_corner: tuple[float, float], margin: float, evaluations: int, settings: tuple[str, ...],
+    catalogs: tuple[Path, ...],
+) -> None:  # fmt: skip
+    """Find the speed loop of least reading error for one motor on each gearbox, behind each filter of SCENARIO's study.
+
+    The table has the choices that no other beats in reading error, delay and price together.
+
+    Example: torquerig optimise scenarios/wear_rig.yaml --motor bldc-12n14p --set study.duration=2s
+    """
+    from torquerig.study.optimisation.bounds import Bounds
+    from torquerig.study.optimisation.search import optimised
+    from torquerig.study.optimisation.tried import front
+
+    study = open_study(overridden(read_document(scenario), settings), catalog_for(scenario, catalogs))
+    if gearboxes and not study.exchanged.stage:
+        raise InputError(f"--gearbox {gearboxes[0]}: the study of {scenario.name} exchanges no stage")
+    bounds = Bounds(
+        gearboxes=gearboxes or study.gearboxes, crossover=crossover, integral_corner=integral_corner, margin=margin,
+        evaluations=evaluations,
+    )  # fmt: skip
+    name = motor or study.settings.present.motor
+    with drive_progress(f"speed loops of {name}") as progress:
+        found = optimised(study, name, bounds, progress=progress)
+    best = front(found.tried)
+    click.echo(wrapped(optimum_text(best, found.by_rule, unit=study.effort_unit)) + "\n")
+    click.echo(front_text(best, unit=study.effort_unit))
+    if found.left_out:
+        listed = "; ".join(f"{one} ({why})" for one, why in found.left_out.items())
+        click.echo("\n" + wrapped(f"Cannot run: {listed}."))
