@@ -57,10 +57,10 @@ def test_a_work_function_that_answers_too_little_fails() -> None:
 
 
 def test_a_case_that_never_ends_is_given_up_and_costs_no_other() -> None:
-    limits = Limits(seconds=0.2, tries=2)
-    found = all_of(work.endless_at_3, 2.0, work.cases(8), engine=ThisMachine(1), block_size=4, limits=limits)
+    limits = Limits(seconds=0.4, tries=2)
+    found = all_of(work.endless_at_3, 2.0, work.cases(4), engine=ThisMachine(1), block_size=2, limits=limits)
     assert {n: one.state for n, one in found.items() if one.state != "done"} == {3: "unfinished"}
-    assert found[3].error == "given up after 2 tries: it took longer than 0.2 s"
+    assert found[3].error == "given up after 2 tries: it took longer than 0.4 s"
 
 
 def test_a_worker_that_dies_costs_no_case(tmp_path: Path) -> None:

@@ -24,7 +24,8 @@ STUDY = f"""
 import sys
 from pathlib import Path
 from tests.cases import work_functions as work
-from torquerig.cases import ThisMachine, run_cases
+from torquerig.cases import ThisMachine, run_cases, running
+running.MERGE_FROM = 10  # so that some moments are in a merge
 run_cases(work.signed_reading, sys.argv[2], work.cases({CASES}), folder=Path(sys.argv[1]), identity=work.identity(),
           engine=ThisMachine(2), block_size=4, save_every=0.0)
 """
