@@ -1,5 +1,6 @@
 """``ripple: from_phase_level`` of a motor of the catalog: what it brings, where it comes from, what it refuses."""
 
+from dataclasses import replace
 from math import pi, sqrt
 from pathlib import Path
 
@@ -50,9 +51,9 @@ def test_the_brushless_motor_ripples_at_6p_as_its_class_does_and_servos_hardly(s
 def test_a_servo_has_what_its_back_emf_has_and_no_more():
     """With a sinusoidal back-EMF and no dead time nothing is left: the class's six-pulse line does not go in."""
     made = scenario("HDS6A-0104A")
-    bare = made.rig.changed(MotorPhases(**{**made.rig.part("motor.phases").__dict__, "emf_harmonics": {}})).changed(
-        FieldOrientedControl(name="motor.commutation")
-    )
+    phases = made.rig.part("motor.phases")
+    assert isinstance(phases, MotorPhases)
+    bare = made.rig.changed(replace(phases, emf_harmonics={})).changed(FieldOrientedControl(name="motor.commutation"))
     assert waves_of(made.rig.part("motor.commutation").changes_in_host(made.rig), DriveRipple)
     assert waves_of(bare.part("motor.commutation").changes_in_host(bare), DriveRipple) == ()
 
