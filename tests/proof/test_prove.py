@@ -1,6 +1,7 @@
 """Sealed before diagnosed, each case once, and a page that holds every figure: with diagnoses made by the test."""
 
 import json
+import os
 from pathlib import Path
 
 import pytest
@@ -309,3 +310,17 @@ def test_jsons_are_written_whole(tmp_path):
     write_json(tmp_path / "a" / "b.json", {"x": 1})
     assert json.loads((tmp_path / "a" / "b.json").read_text()) == {"x": 1}
     assert [path.name for path in (tmp_path / "a").iterdir()] == ["b.json"]
+
+
+def dies_at_three(number: int) -> str:
+    if number == 3:
+        os._exit(1)
+    return str(number)
+
+
+@pytest.mark.long
+def test_a_job_whose_worker_dies_does_not_take_the_others_along():
+    seen = []
+    with pytest.raises(ProofError, match="1 of 5 jobs have no answer; the first is 3: given up after 2 tries"):
+        run_jobs(dies_at_three, list(range(5)), workers=2, progress=lambda _d, _t, name: seen.append(name))
+    assert sorted(seen) == ["", "0", "1", "2", "4"]
