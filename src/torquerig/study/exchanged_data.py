@@ -93,7 +93,7 @@ def left_out_effects(gearbox: str, study: Study) -> tuple[str, ...]:
     if not gearbox or stays(gearbox, study):
         return ()
     own, stated = study.exchanged.stage, study.settings.stages.get(gearbox)
-    kind = str(stated.part.get("kind")) if stated else "gear"
+    kind = str(stated.part.get("kind")) if stated else kind_in_catalog(gearbox, study)
     forms = _forms_of_teeth(stated.part if stated else {"catalog": gearbox}, study)
     same = bool(forms) and forms == _forms_of_teeth(study.document.data["rig"][own], study)
     return tuple(
@@ -128,6 +128,13 @@ def _stage(written: Mapping[str, Any], gearbox: str, study: Study) -> dict[str, 
             where = study.document.place(("study", "stages", gearbox, "part"))
             raise InputError(f"{where}: {kind!r} is no kind of stage; {did_you_mean(str(kind), STAGE_KINDS)}")
         return {**stated.part, **place}
-    if written.get("kind") == "gear" and "catalog" in written:  # what is stated next to the entry replaces its values
+    kind = kind_in_catalog(gearbox, study)
+    if written.get("kind") == kind and "catalog" in written:  # what is stated next to the entry replaces its values
         return {**{key: one for key, one in written.items() if key != "teeth"}, "catalog": gearbox}
-    return {"kind": "gear", "catalog": gearbox, **place}
+    return {"kind": kind, "catalog": gearbox, **place}
+
+
+def kind_in_catalog(gearbox: str, study: Study) -> str:
+    """Return the kind of part that a gearbox of the catalog is in a scenario: ``gear``, or ``worm_gear``."""
+    entry = study.catalog.gearboxes.get(gearbox)
+    return "worm_gear" if entry is not None and entry.kind == "worm" else "gear"

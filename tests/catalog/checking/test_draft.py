@@ -32,6 +32,7 @@ def filled(text, part):
         elif found:
             written = line.replace("____", str(VALUES[found[3]]), 1)
         written = written.replace("ratio: ____", "ratio: 5").replace("kind: ____", "kind: belt")
+        written = written.replace("starts: ____", "starts: 4").replace("wheel_teeth: ____", "wheel_teeth: 20")
         lines.append(written.replace("____", "p. 1"))
     return "\n".join(lines)
 

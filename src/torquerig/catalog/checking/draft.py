@@ -85,6 +85,10 @@ def _kind_lines(kind: type[Entry], part: PartClass | None) -> Iterator[str]:
         yield f"kind: {only}  # {', '.join(known)}"
     if "ratio" in kind.model_fields:
         yield f"ratio: {BLANK}  # motor turns per output turn"
+    if "starts" in kind.model_fields and (part is None or part.kinds in ((), ("worm",))):
+        hidden = "" if part is not None and part.kinds else "# "
+        yield f"{hidden}starts: {BLANK}  # threads of a worm"
+        yield f"{hidden}wheel_teeth: {BLANK}  # teeth of its wheel"
 
 
 def _declared(kind: type[Entry], field: str) -> Parameter:

@@ -15,7 +15,7 @@ from torquerig.document import read_document
 from torquerig.errors import InputError, TorquerigError
 
 BY_KIND = {"pmsm": "motor", "bldc": "motor", "induction": "motor", "planetary": "gearbox", "spur": "gearbox",
-           "belt": "gearbox", "bellows": "coupling", "jaw": "coupling"}  # fmt: skip
+           "belt": "gearbox", "worm": "gearbox", "bellows": "coupling", "jaw": "coupling"}  # fmt: skip
 
 
 @dataclass(frozen=True)

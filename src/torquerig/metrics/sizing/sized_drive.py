@@ -15,7 +15,7 @@ from torquerig.metrics.sizing.open_data import Values, exact_value
 from torquerig.parameter import Estimate
 from torquerig.rig.assembly import Rig
 from torquerig.rig.drive_train import driven_motor
-from torquerig.rig.parts import Gear, Motor
+from torquerig.rig.parts import Gear, Motor, WormGear
 from torquerig.rig.reading_place import reading_place
 from torquerig.scenario.drive_requirement import DriveRequirement, drive_requirement
 from torquerig.scenario.kinematics import gears_to_sensor, torque_gain, turns_to
@@ -23,6 +23,7 @@ from torquerig.scenario.model import Scenario
 
 MOTOR_FIELDS = {"inertia": "rotor_inertia", "coulomb": "coulomb_friction", "viscous": "viscous_friction"}
 GEAR_FIELDS = {"efficiency": "efficiency", "input_inertia": "input_inertia"}
+WORM_FIELDS = {"forward_efficiency": "efficiency", "worm_inertia": "input_inertia"}
 STEADY_LENGTH = 10.0  # [s] of a run without a stated length; a steady run does not depend on it
 
 
@@ -122,11 +123,12 @@ def sized_drive(scenario: Scenario, catalog: Catalog, *, duration: float = STEAD
                          "name one with catalog: or --motor")  # fmt: skip
     entry = catalog.motor(part.model)
     written = scenario.document.data["rig"]
-    named = {gear.name: _named(written, gear.name) for gear in gears_to_sensor(rig) if isinstance(gear, Gear)}
+    bought = [gear.name for gear in gears_to_sensor(rig) if isinstance(gear, Gear | WormGear)]
+    named = {name: _named(written, name) for name in bought}
     gearboxes = {part: catalog.gearbox(entry) for part, entry in named.items() if entry in catalog.gearboxes}
     data: dict[str, Estimate] = {}
     places: dict[str, tuple[str, str]] = {}
-    owned = [(part, entry, MOTOR_FIELDS), *((rig.part(name), box, GEAR_FIELDS) for name, box in gearboxes.items())]
+    owned = [(part, entry, MOTOR_FIELDS), *((rig.part(name), box, _fields_of(box)) for name, box in gearboxes.items())]
     for one, known, fields in owned:
         for target, source in fields.items():
             field = f"{one.name}.{target}"
@@ -148,6 +150,11 @@ def sized_drive(scenario: Scenario, catalog: Catalog, *, duration: float = STEAD
         rig=rig, motor=entry, gearboxes=gearboxes, sensor=catalog.sensors.get(_named(written, rig.measured)), data=data,
         places=places, duration=duration,
     )  # fmt: skip
+
+
+def _fields_of(box: Gearbox) -> Mapping[str, str]:
+    """Return the fields of a gear by those of its catalog entry."""
+    return WORM_FIELDS if box.kind == "worm" else GEAR_FIELDS
 
 
 def _as_interval(known: Estimate) -> Estimate:

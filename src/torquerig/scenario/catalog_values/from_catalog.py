@@ -41,6 +41,15 @@ FIELDS: dict[str, tuple[tuple[str, str, str], ...]] = {
         ("input_inertia", "input_inertia", "kg*m^2"),
         ("backlash", "backlash", "rad"),
     ),
+    "worm_gear": (
+        ("stiffness", "stiffness", "N*m/rad"),
+        ("damping", "damping", "N*m*s/rad"),
+        ("forward_efficiency", "efficiency", "1"),
+        ("worm_inertia", "input_inertia", "kg*m^2"),
+        ("wheel_inertia", "output_inertia", "kg*m^2"),
+        ("backlash", "backlash", "rad"),
+        ("lead_angle", "lead_angle", "rad"),
+    ),
     "torque_sensor": (
         ("stiffness", "stiffness", "N*m/rad"),
         ("damping", "damping", "N*m*s/rad"),
@@ -78,6 +87,7 @@ def filled_from_catalog(catalog: Catalog, entry: str, *, kind: str, name: str, s
         "motor": catalog.motor,
         "induction_drive": catalog.motor,
         "gear": catalog.gearbox,
+        "worm_gear": catalog.gearbox,
         "torque_sensor": catalog.sensor,
         "coupling": catalog.coupling,
     }
@@ -90,6 +100,9 @@ def filled_from_catalog(catalog: Catalog, entry: str, *, kind: str, name: str, s
         found = shelves[kind](entry)
     except UnknownNameError as error:
         raise InputError(f"{place}.catalog: {error}") from None
+    if isinstance(found, Gearbox) and (found.kind == "worm") != (kind == "worm_gear"):
+        meant = "worm_gear" if found.kind == "worm" else "gear"
+        raise InputError(f"{place}.catalog: {found.name} is a {found.kind} gear; write kind: {meant}")
     sample = sample_of(found, seed)
     filled = _quantities(sample, kind, name)
     if isinstance(found, Motor):
@@ -163,7 +176,9 @@ def _on_its_supply(filled: Filled, sample: Sample[Motor], place: str) -> Filled:
 
 
 def _with_teeth(filled: Filled, gearbox: Gearbox, seed: int) -> Filled:
-    """Return the gear with its ratio and, where a set is known or possible, its teeth."""
+    """Return the gear with its ratio and, where a set is known or possible, its teeth; a worm with starts and wheel."""
+    if gearbox.kind == "worm":
+        return replace(filled, values={**filled.values, "starts": gearbox.starts, "wheel_teeth": gearbox.wheel_teeth})
     teeth, sets = sample_teeth(gearbox, seed), gearbox.tooth_sets()
     values = {**filled.values, "ratio": gearbox.ratio, "teeth": [] if teeth is None else [asdict(teeth)]}
     if teeth is None or len(sets) < 2:
