@@ -21,10 +21,11 @@ from torquerig.simulation.motor_limit import limits_reached
 from torquerig.simulation.outputs import as_arrays
 from torquerig.simulation.ready import Ready, ready
 from torquerig.simulation.simulator import SAMPLE_RATE, SETTLING, checked, recorded, stepped
-from torquerig.simulation.step_watch import ALLOWED, OF_HALF, rms
+from torquerig.simulation.step_watch import ALLOWED, OF_HALF, has_gaps, rms
 
 _Way = Callable[[Sequence[Ready], Sequence[bool]], list[Recording]]
 
+FIRST = 0.5  # [s] of a run without gaps that is repeated with half the step
 WORTHWHILE = 2  # rigs from which on a step of all lanes (76 ns) takes less time than one step of each (50 ns)
 
 
@@ -39,8 +40,8 @@ def simulate_batch(
     simulated by itself. The arithmetic is that of ``simulate``, in the same order, so that the recordings are equal.
 
     Where neither ``substeps`` nor ``most_steps`` is given, the step is checked: rigs that are stepped together run
-    again with half the step. Where that changes what is measured by more than half of ``step_watch.ALLOWED``, the rig
-    is simulated by itself, with the warnings of ``simulate``.
+    again with half the step, those without gaps for their first ``FIRST`` s. Where that changes what is measured by
+    more than half of ``step_watch.ALLOWED``, the rig is simulated by itself, with the warnings of ``simulate``.
 
     Parameters
     ----------
@@ -134,19 +135,45 @@ def _stepped(runs: Sequence[Ready], staged: Sequence[bool]) -> list[Recording]:
 def _checked(runs: Sequence[Ready], staged: Sequence[bool]) -> list[Recording]:
     """Return the recordings of runs of one step size with their warnings; all of them staged."""
     kept = _kept(runs) if len(runs) >= WORTHWHILE else None
-    halved = [replace(run, steps=2 * run.steps, outputs=run.outputs[:1]) for run in runs]
-    finer = None if kept is None else _kept(halved)
-    if kept is None or finer is None:
+    changes = None if kept is None else _changes(runs, kept)
+    if kept is None or changes is None:
         return [checked(run) for run in runs]
     made = []
-    for run, values, other in zip(runs, kept, finer, strict=True):
-        if rms(other[0] - values[0]) > OF_HALF * ALLOWED * rms(values[0]):
+    for run, values, change in zip(runs, kept, changes, strict=True):
+        if change > OF_HALF * ALLOWED:
             made.append(checked(run))
             continue
         warnings = [*limits_reached(run, values), *friction_lost(run, values)]
         origin = {**run.origin, "warnings": warnings} if warnings else run.origin
         made.append(recorded(run.rig, run.outputs, values, rate=run.span.rate, origin=origin))
     return made
+
+
+def _changes(runs: Sequence[Ready], kept: Floats) -> list[float] | None:
+    """Return the rms change by half the step of what is measured, over its rms [1]; None where a run fails.
+
+    Of rigs with gaps the whole run is repeated, because impacts come at any time; of others the first ``FIRST`` s of
+    it, with the step of the run and half of it.
+    """
+    whole = has_gaps(runs[0])
+    if whole:
+        coarse: Floats | None = kept
+    else:
+        runs = [replace(run, span=_first(run.span)) for run in runs]
+        coarse = _kept([replace(run, outputs=run.outputs[:1]) for run in runs])
+    fine = _kept([replace(run, steps=2 * run.steps, outputs=run.outputs[:1]) for run in runs])
+    if coarse is None or fine is None:
+        return None
+    sizes = [rms(one[0]) for one in coarse]
+    return [
+        rms(after[0] - before[0]) / size if size else 0.0
+        for before, after, size in zip(coarse, fine, sizes, strict=True)
+    ]
+
+
+def _first(span: Span) -> Span:
+    """Return the start of a run, its settling kept as well."""
+    return replace(span, settling=0, samples=min(span.settling + span.samples, max(2, round(FIRST * span.rate))))
 
 
 def _kept(runs: Sequence[Ready]) -> Floats | None:

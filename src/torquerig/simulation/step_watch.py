@@ -97,7 +97,7 @@ def _watched(run: Ready, kept: Floats) -> tuple[StepWatch, int, int]:
         else:
             changes.append((look(course, part.stop), (part.start - span.settling) / span.rate))
     course.on(end)
-    gaps, failed = _has_gaps(run), course.failed[0] >= 0
+    gaps, failed = has_gaps(run), course.failed[0] >= 0
     if gaps and not failed:
         changes.append(_again(run, kept))
     size = 0.0 if failed else rms(kept[0])
@@ -192,7 +192,8 @@ def rms(values: Floats) -> float:
     return largest * float(np.sqrt(np.mean((values / largest) ** 2))) if largest else 0.0
 
 
-def _has_gaps(run: Ready) -> bool:
+def has_gaps(run: Ready) -> bool:
+    """Return whether a spring of the rig has a gap."""
     return bool(run.terms.springs.half_gap.any())
 
 
@@ -204,7 +205,7 @@ def _may_grow(run: Ready) -> bool:
 
 def _stretches(run: Ready) -> Iterator[tuple[slice, Callable[[_Course, int], float]]]:
     """Yield the samples of each stretch, counted from the start of settling, and what is done there."""
-    span, gaps = run.span, _has_gaps(run)
+    span, gaps = run.span, has_gaps(run)
     whole = span.settling + span.samples
     length = max(2, int(min(LONGEST * span.rate, SHARE * whole)))
     starts = [span.settling + int((one + 0.5) / STRETCHES * span.samples) for one in range(STRETCHES)]
