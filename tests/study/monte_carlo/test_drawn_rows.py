@@ -79,6 +79,13 @@ def test_a_store_of_another_study_is_refused(tmp_path: Path, edit: str) -> None:
             refuse_other(there.read_text(), identity, folder=tmp_path)
 
 
+def test_a_weight_may_change_without_new_cases() -> None:
+    first, other = (
+        drawn_study(study(edit)).identity("draws") for edit in ("study.draws=2", "study.criteria.price.weight=0.3")
+    )
+    assert first == other
+
+
 def test_what_is_drawn_of_each_drive_is_known_before() -> None:
     drawn = drawn_study(study())
     names = drawn.unknown["HDS6A-0104A 5:1"]

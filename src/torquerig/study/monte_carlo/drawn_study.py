@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 from torquerig.cases import Case, Column, Identity, digest_of
 from torquerig.catalog.chosen_draws import ChosenDraws
@@ -15,6 +16,7 @@ from torquerig.study.definition import Study
 from torquerig.study.preflight import check_study, out_of_reach
 from torquerig.study.settings import metrics_of
 
+RATED_AFTERWARDS = ("requirements", "criteria", "draws", "all_points")  # of a study
 MOST = 100_000_000  # draws; the number of a case holds the drive beside it
 
 
@@ -79,7 +81,7 @@ class DrawnStudy:
         catalog = json.dumps([used, [{name: repr(one) for name, one in shelf.items()} for shelf in shelves]])
         return Identity(
             study={
-                "scenario": digest_of(json.dumps(study.document.data, default=repr, sort_keys=True)),
+                "scenario": digest_of(json.dumps(_computed(study.document.data), default=repr, sort_keys=True)),
                 "filters": digest_of(json.dumps(study.filters.data, default=repr, sort_keys=True)),
                 "catalog": digest_of(catalog),
                 "plan": plan,
@@ -87,6 +89,12 @@ class DrawnStudy:
             values=[Column("drive", kind="str"), Column("draw", kind="int"), *quantile_columns(plan)],
             results=self.results(),
         )
+
+
+def _computed(data: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return a scenario without what is only made of the figures afterwards: a weight may change and no case does."""
+    kept = {key: value for key, value in data["study"].items() if key not in RATED_AFTERWARDS}
+    return {**data, "study": kept}
 
 
 def error_column(name: str) -> str:
