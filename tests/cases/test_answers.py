@@ -57,10 +57,17 @@ def test_a_work_function_that_answers_too_little_fails() -> None:
 
 
 def test_a_case_that_never_ends_is_given_up_and_costs_no_other() -> None:
-    limits = Limits(seconds=0.4, tries=2)
+    limits = Limits(seconds=0.4, tries=2, compiling=0.0)
     found = all_of(work.endless_at_3, 2.0, work.cases(4), engine=ThisMachine(1), block_size=2, limits=limits)
     assert {n: one.state for n, one in found.items() if one.state != "done"} == {3: "unfinished"}
     assert found[3].error == "given up after 2 tries: it took longer than 0.4 s"
+
+
+def test_the_first_block_may_compile() -> None:
+    limits = Limits(seconds=0.05, tries=1)
+    found = all_of(work.slow_reading, 0.2, work.cases(2), engine=ThisMachine(1), block_size=1, limits=limits)
+    assert [one.state for _, one in sorted(found.items())] == ["done", "unfinished"]
+    assert found[1].error == "given up after 1 tries: it took longer than 0.05 s"
 
 
 def test_a_worker_that_dies_costs_no_case(tmp_path: Path) -> None:
@@ -79,6 +86,11 @@ def test_a_case_that_kills_its_worker_is_given_up() -> None:
 def test_each_worker_has_one_thread() -> None:
     (one,) = all_of(work.threads_here, None, work.cases(1), engine=ThisMachine(1)).values()
     assert one.value == {"blas": 1, "numba": 1}
+
+
+def test_inputs_travel_to_each_worker_once(tmp_path: Path) -> None:
+    all_of(work.with_counted, work.Counted(tmp_path), work.cases(40), engine=ThisMachine(2), block_size=1)
+    assert len(list(tmp_path.iterdir())) == 2
 
 
 def test_a_worker_without_blocks_ends_after_a_time() -> None:
@@ -106,6 +118,7 @@ def test_inputs_that_a_worker_cannot_load_are_one_sentence() -> None:
         (lambda: ThisMachine(0), "0 workers do nothing; give 1 or more"),
         (lambda: Limits(seconds=0), "a limit of 0 s for a case leaves no time"),
         (lambda: Limits(tries=0), "0 tries of a case are none"),
+        (lambda: Limits(compiling=-1.0), "-1.0 s for compiling cannot be; give 0 s or more"),
         (lambda: all_of(work.reading, 1.0, work.cases(1), engine=ThisProcess(), block_size=0), "blocks of 0 cases"),
         (
             lambda: all_of(work.reading, 1.0, work.cases(1), engine=ThisProcess(), limits=Limits(seconds=1.0)),

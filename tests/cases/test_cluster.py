@@ -72,6 +72,11 @@ def test_a_study_on_a_cluster_has_the_same_bytes(address: str, tmp_path: Path) -
     assert bytes_of(tmp_path / "there") == bytes_of(tmp_path / "here")
 
 
+def test_inputs_travel_to_each_worker_once(address: str, tmp_path: Path) -> None:
+    all_of(work.with_counted, work.Counted(tmp_path), work.cases(40), engine=Cluster(address), block_size=1)
+    assert len(list(tmp_path.iterdir())) == 2
+
+
 def test_a_worker_that_is_killed_costs_no_case(address: str, tmp_path: Path) -> None:
     (tmp_path / "marks").mkdir()
     ended, killed = threading.Event(), []
@@ -99,7 +104,7 @@ def test_a_worker_that_is_killed_costs_no_case(address: str, tmp_path: Path) -> 
 
 
 def test_cases_that_never_end_or_kill_are_given_up_there_too(address: str) -> None:
-    limits = Limits(seconds=0.5, tries=1)
+    limits = Limits(seconds=0.5, tries=1, compiling=0.0)
     found = all_of(work.endless_at_3, 2.0, work.cases(8), engine=Cluster(address), block_size=4, limits=limits)
     assert {n: one.error for n, one in found.items() if one.state == "unfinished"} == {
         3: "given up after 1 tries: it took longer than 0.5 s"

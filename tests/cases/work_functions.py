@@ -100,3 +100,24 @@ def signed_reading(folder: str, block: Sequence[Case]) -> list[Mapping[str, Any]
     (Path(folder) / str(os.getpid())).touch()
     time.sleep(0.005 * len(block))
     return reading(2.0, block)
+
+
+class Counted:
+    """Inputs that leave a file in a folder for each time that they are loaded."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+
+    def __reduce__(self) -> Any:
+        return _counted, (self.folder,)
+
+
+def _counted(folder: Path) -> Path:
+    (folder / f"{os.getpid()} {time.monotonic_ns()}").touch()
+    return folder
+
+
+def with_counted(folder: Path, block: Sequence[Case]) -> list[Mapping[str, Any]]:
+    """Return a reading after some time, so that each worker gets blocks."""
+    time.sleep(0.05)
+    return reading(2.0, block)

@@ -62,6 +62,7 @@ class ProcessPool:
     idle: float | None = None  # s without a block after which a worker ends
     workers: list[Worker] = field(default_factory=list)
     starts_in_vain: int = 0
+    has_compiled: bool = False
 
     def start_one(self) -> None:
         """Start one more worker."""
@@ -79,7 +80,7 @@ class ProcessPool:
     def submit(self, block: Block, /) -> None:
         """Give a block to a worker that waits for one."""
         free = next(worker for worker in self.workers if worker.is_ready and worker.block is None)
-        free.submit(block, seconds=self.limits.of_block(len(block.cases)))
+        free.submit(block, seconds=self.limits.of_block(len(block.cases), has_compiled=self.has_compiled))
 
     def finished(self) -> list[Outcome]:
         """Wait until there is room or an outcome, and return the outcomes.
@@ -102,10 +103,10 @@ class ProcessPool:
             except EOFError:
                 return self._replaced(worker, _death_of(worker))
             self.starts_in_vain *= not worker.is_ready
+            self.has_compiled = self.has_compiled or outcome is not None
             return outcome
         if time.monotonic() > worker.deadline and worker.block is not None:
-            seconds = self.limits.of_block(len(worker.block.cases))
-            return self._replaced(worker, f"it took longer than {seconds:g} s")
+            return self._replaced(worker, f"it took longer than {worker.seconds:g} s")
         if not worker.process.is_alive():
             return self._replaced(worker, _death_of(worker))
         return None

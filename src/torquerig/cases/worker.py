@@ -35,11 +35,12 @@ class Worker:
     content: bytes
     is_ready: bool = False
     block: Block | None = None
+    seconds: float | None = None
     deadline: float = float("inf")
 
     def submit(self, block: Block, *, seconds: float | None) -> None:
         """Give the worker a block, for which it has so many seconds [s]; a dead one is noticed by :meth:`heard`."""
-        self.block = block
+        self.block, self.seconds = block, seconds
         self.deadline = float("inf") if seconds is None else time.monotonic() + seconds
         with suppress(OSError):
             self.connection.send(block)
