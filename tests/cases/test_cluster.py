@@ -123,8 +123,15 @@ def test_workers_of_other_versions_are_refused(address: str, monkeypatch: pytest
 
     other = {**identity.code_here(), "numpy": "1.0"}
     monkeypatch.setattr(cluster, "code_here", _Mine(other))
-    with pytest.raises(InputError, match=r"the worker at tcp://.* has numpy 2\..*, and here is 1.0; install the same"):
+    with pytest.raises(
+        InputError, match=r"the (worker|scheduler) at tcp://.* has numpy 2\..*, and here is 1.0; install the same"
+    ):
         all_of(work.reading, 2.0, work.cases(1), engine=Cluster(address))
+
+
+def test_a_cluster_without_the_study_is_one_sentence(address: str) -> None:
+    with pytest.raises(InputError, match="a worker cannot load the work function or its inputs: ModuleNotFoundError"):
+        all_of(work.reading, work.OnlyHere(), work.cases(9), engine=Cluster(address))
 
 
 class _Mine:

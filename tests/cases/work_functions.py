@@ -91,6 +91,17 @@ class Unloadable:
         return _lost, ()
 
 
+class OnlyHere:
+    """Inputs whose module other machines do not have."""
+
+    def __reduce__(self) -> Any:
+        return _imported, ("a_module_of_this_machine",)
+
+
+def _imported(name: str) -> Any:
+    return __import__(name)
+
+
 def _lost() -> None:
     raise OSError("lost")
 

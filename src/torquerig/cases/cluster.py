@@ -105,6 +105,8 @@ class TaskPool:
         InputError
             When the scheduler is gone, or a worker cannot load the work function and its inputs.
         """
+        from distributed import KilledWorker
+
         try:
             future = self._done.get(timeout=LOOK_EVERY)
         except queue.Empty:
@@ -116,8 +118,10 @@ class TaskPool:
             error = future.exception()
             if isinstance(error, TorquerigError):
                 raise error
+            if isinstance(error, KilledWorker):
+                return [Outcome(block, "lost", error="the workers of the cluster that had the case ended")]
             if error is not None:
-                return [Outcome(block, "lost", error=f"the worker of the cluster ended: {sentence_of(error)}")]
+                raise InputError(f"the cluster at {self.address} cannot work on the study: {sentence_of(error)}")
             return [Outcome(block, *future.result())]
 
     @contextmanager
@@ -177,15 +181,19 @@ def _wait_for_worker(client: Client, address: str, patience: float) -> None:
 
 
 def _check_code(client: Client, address: str) -> None:
-    """Refuse workers that have no torquerig, or other versions of what computes."""
+    """Refuse a cluster on which torquerig is missing, or that has other versions of what computes.
+
+    The scheduler is one of them, because Dask loads functions there too.
+    """
     from torquerig.cases.cluster_worker import refuse_other_code
 
     try:
-        found = client.run(code_here)
-    except ImportError as error:
+        found = {f"the scheduler at {address}": client.run_on_scheduler(code_here)}
+        found |= {f"the worker at {worker}": code for worker, code in client.run(code_here).items()}
+    except Exception as error:  # of whatever type, as another machine has raised it
         raise InputError(
-            f"a worker at {address} cannot import torquerig ({error}); install the same version on all machines "
-            "of the cluster"
+            f"a machine of the cluster at {address} cannot load torquerig ({sentence_of(error)}); install the same "
+            "versions on all its machines, that of the scheduler too"
         ) from error
-    for worker, code in found.items():
-        refuse_other_code(code, code_here(), where=worker)
+    for where, code in found.items():
+        refuse_other_code(code, code_here(), where=where)

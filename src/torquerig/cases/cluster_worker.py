@@ -64,7 +64,7 @@ class CaseWorker(WorkerPlugin):  # type: ignore[misc]
         InputError
             When this worker has other code, or cannot load the work function and its inputs.
         """
-        refuse_other_code(code_here(), self._code, where=get_worker().address)
+        refuse_other_code(code_here(), self._code, where=f"the worker at {get_worker().address}")
         pool = self._free.get()
         try:
             if not any(
@@ -100,6 +100,6 @@ def refuse_other_code(there: Mapping[str, str], here: Mapping[str, str], *, wher
     for name, version in here.items():
         if there.get(name) != version:
             raise InputError(
-                f"the worker at {where} has {name} {there.get(name, 'none')}, and here is {version}; install the same "
+                f"{where} has {name} {there.get(name, 'none')}, and here is {version}; install the same "
                 "versions on all machines of the cluster"
             )
