@@ -69,7 +69,7 @@ CASES: dict[str, tuple[tuple[str, ...], str]] = {
     "filter onto itself with force": (("filter", "good.csv", "--chain", "none", "--out", "good.csv", "--force"), "good.csv: is the input; choose another name"),
     "a picture of another kind beside a recording": (("filter", "good.csv", "--chain", "none", "--motor", "REF", "--ratio", "5", "--out", "new.csv", "--picture", "x.gif"), "x.gif: a picture is written as .svg or .png"),
     "a picture in no folder": (("filter", "good.csv", "--chain", "none", "--out", "new.csv", "--picture", "no/x.svg"), "there is no folder no; make it first"),
-    "a picture without a speed": (("filter", "good.csv", "--chain", "none", "--motor", "REF", "--ratio", "5", "--out", "new.csv", "--picture", "x.svg"), "the sidecar has no speed_rpm"),
+    "a picture without a speed": (("filter", "good.csv", "--chain", "none", "--motor", "REF", "--ratio", "5", "--out", "new.csv", "--picture", "x.svg"), "the order lines of a picture need one; add to the sidecar: run: {speed_rpm: N}"),
     "block without unit": (("filter", "good.csv", "--chain", "none", "--motor", "REF", "--ratio", "5", "--block", "60"), "--block: '60' has no unit"),
     "matrix of a rig": (("matrix", WEAR_RIG), "wear_rig.yaml: is the scenario of a rig, not a matrix; use torquerig compare"),
     "missing matrix": (("matrix", "nope.yaml"), "nope.yaml: there is no such file"),
