@@ -106,6 +106,11 @@ def test_failed_cases_are_rows_and_are_final(tmp_path: Path) -> None:
     assert failed["reading"].isna().all()
 
 
+def test_rows_are_stored_while_other_cases_take_long(tmp_path: Path) -> None:
+    named: dict[str, Any] = {"function": work.waits_for_others, "inputs": tmp_path, "engine": ThisMachine(2)}
+    assert run(tmp_path, 4, block_size=1, save_every=0.1, **named).failed == 0
+
+
 def test_unfinished_cases_are_tried_again(tmp_path: Path) -> None:
     (tmp_path / "mark").mkdir()
     once = {"function": work.deadly_once, "inputs": str(tmp_path / "mark"), "engine": ThisMachine(1)}

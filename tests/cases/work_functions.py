@@ -59,6 +59,13 @@ def endless_at_3(scale: float, block: Sequence[Case]) -> list[Mapping[str, Any]]
     return reading(scale, block)
 
 
+def rows_in(part: Path) -> int:
+    """Return how many rows a part has."""
+    import pyarrow.parquet as pq
+
+    return int(pq.read_metadata(part).num_rows)
+
+
 def deadly_once(folder: str, block: Sequence[Case]) -> list[Mapping[str, Any]]:
     """End the process at case 11 when it is worked on for the first time."""
     mark = Path(folder) / "was here"
@@ -131,4 +138,14 @@ def _counted(folder: Path) -> Path:
 def with_counted(folder: Path, block: Sequence[Case]) -> list[Mapping[str, Any]]:
     """Return a reading after some time, so that each worker gets blocks."""
     time.sleep(0.05)
+    return reading(2.0, block)
+
+
+def waits_for_others(folder: Path, block: Sequence[Case]) -> list[Mapping[str, Any]]:
+    """Work on case 3 until the rows of all others are in the store."""
+    end = time.monotonic() + 20.0
+    while block[0].number == 3 and sum(map(rows_in, folder.glob("rows/part*"))) < 3:
+        if time.monotonic() > end:
+            raise SimulationError("the others were not stored in 20 s")
+        time.sleep(0.05)
     return reading(2.0, block)

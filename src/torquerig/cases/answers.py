@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Generator, Iterator, Sequence
+from contextlib import closing
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -55,9 +56,22 @@ def answers(
     InputError
         For a block size below one, and where the engine cannot start.
     """
+    with closing(
+        arriving(work, inputs, cases, engine=engine, block_size=block_size, limits=limits or Limits())
+    ) as batches:
+        for batch in batches:
+            yield from batch
+
+
+def arriving(
+    work: Work, inputs: Any, cases: Sequence[Case], *, engine: Engine, block_size: int, limits: Limits
+) -> Generator[list[Answer], None, None]:
+    """Yield the answers that arrived since the last time; none, where workers have been silent for a second or two.
+
+    Parameters and errors are those of :func:`answers`.
+    """
     if block_size < 1:
         raise InputError(f"blocks of {block_size} cases hold none; give a block size of 1 or more")
-    limits = limits or Limits()
     starts = deque(range(0, len(cases), block_size))
     again: deque[Block] = deque()
     given = 0
@@ -67,9 +81,9 @@ def answers(
                 block = again.popleft() if again else Block(_next(cases, starts, block_size))
                 pool.submit(block)
                 given += 1
-            for outcome in pool.finished():
-                given -= 1
-                yield from _answers_of(outcome, again, limits)
+            outcomes = pool.finished()
+            given -= len(outcomes)
+            yield [answer for outcome in outcomes for answer in _answers_of(outcome, again, limits)]
 
 
 def _next(cases: Sequence[Case], starts: deque[int], size: int) -> Sequence[Case]:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from torquerig.cases.answers import Answer, answers
+from torquerig.cases.answers import Answer, arriving
 from torquerig.cases.block import Engine
 from torquerig.cases.case import Case, Column, Work, checked_numbers, checked_values, plain
 from torquerig.cases.identity import Identity
@@ -102,7 +102,7 @@ def run_cases(
     save_every : float
         Time between two parts [s]: how much work a failure of power may cost.
     progress : function, optional
-        Called whenever a block is done.
+        Called for each case that is done.
 
     Raises
     ------
@@ -122,11 +122,10 @@ def run_cases(
         failed = sum(store.states.get(number) == "failed" for number in numbers)
         tally = _Tally(total=len(cases), stored=len(cases) - len(missing), failed=failed, start=start)
         if missing:
-            arriving = answers(
-                work, inputs, missing, engine=engine or ThisMachine(), block_size=block_size, limits=limits
-            )
-            with closing(arriving):
-                _store_all(arriving, store, tally, save_every=save_every, progress=progress)
+            engine, limits = engine or ThisMachine(), limits or Limits()
+            batches = arriving(work, inputs, missing, engine=engine, block_size=block_size, limits=limits)
+            with closing(batches):
+                _store_all(batches, store, tally, save_every=save_every, progress=progress)
         with unbroken():
             store.merge()
         return StudyRun(
@@ -176,6 +175,8 @@ class _Pending:
             self.store.save_unfinished(row)
             return
         self.rows.append(row)
+
+    def save_if_due(self) -> None:
         if time.monotonic() - self.saved >= self.save_every:
             self.save()
 
@@ -188,7 +189,7 @@ class _Pending:
 
 
 def _store_all(
-    arriving: Generator[Answer, None, None],
+    batches: Generator[list[Answer], None, None],
     store: Store,
     tally: _Tally,
     *,
@@ -199,12 +200,14 @@ def _store_all(
     pending = _Pending(store, save_every)
     columns = {column.name: column for column in store.identity.results}
     try:
-        for answer in arriving:
-            row = _row_of(answer, columns)
-            tally.count(row, answer)
-            pending.add(row)
-            if progress is not None:
-                progress(tally.progress())
+        for batch in batches:
+            for answer in batch:
+                row = _row_of(answer, columns)
+                tally.count(row, answer)
+                pending.add(row)
+                if progress is not None:
+                    progress(tally.progress())
+            pending.save_if_due()
         pending.save()
     except OSError as error:
         kept = f"{error.strerror}; {len(store.states)} cases are stored and are not computed again"
