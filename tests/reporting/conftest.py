@@ -107,7 +107,8 @@ def _driven(study, candidate, *, ripple):
         shares=Shares(mean=1.0, load=0.3, cogging=0.4, electrical=0.0, mechanical=0.0),
         disturbance=Figure(value=ripple, low=ripple, high=2 * ripple, unit="N*m", source="by hand"),
         chains=chains,
-        recording=reading,
+        duration=reading.duration,
+        simulated=lambda: reading,
     )
 
 
@@ -124,5 +125,4 @@ def _out_of_reach(candidate):
         shares=None,
         disturbance=Figure(unit="N*m", missing=reason),
         chains={},
-        recording=None,
     )

@@ -105,7 +105,7 @@ def runs_of_a_doubt() -> StudyRuns:
     made = [
         DriveResult(
             candidate=one, margins={}, out_of_reach="", motor_speed=1.0, torque_limit=1.0, kp=1.0, assumed={},
-            shares=None, disturbance=Figure(), chains={}, recording=None,
+            shares=None, disturbance=Figure(), chains={},
         )
         for one in (calm, doubtful)
     ]  # fmt: skip

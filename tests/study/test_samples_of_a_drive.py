@@ -108,7 +108,7 @@ def test_a_motor_is_drawn_where_its_lines_are_assumed() -> None:
     candidate = candidates(study())[0]
     bare = DriveResult(
         candidate=candidate, margins={}, out_of_reach="x", motor_speed=1.0, torque_limit=1.0, kp=1.0, assumed={},
-        shares=None, disturbance=Figure(unit="N*m"), chains={}, recording=None,
+        shares=None, disturbance=Figure(unit="N*m"), chains={},
     )  # fmt: skip
     assert not is_drawn(bare)
     assert not is_drawn(replace(bare, assumed={"motor.inertia": "of an interval"}))

@@ -48,7 +48,7 @@ def load_randomness(drives: Iterable[DriveResult]) -> LoadRandomness | None:
             value = chain.truth_error.value
             if chain.random_error and value:
                 shares.append(chain.random_error / value)
-        duration = max(duration, drive.recording.duration if drive.recording is not None and drive.chains else 0.0)
+        duration = max(duration, drive.duration)
     if not shares:
         return None
     return LoadRandomness(low=min(shares), high=max(shares), duration=duration)

@@ -60,7 +60,6 @@ def planned_drive(candidate: Candidate, scenario: Scenario, study: Study) -> Pla
         shares=None,
         disturbance=Figure(unit=study.effort_unit, missing=reason),
         chains={},
-        recording=None,
         omitted=_omitted(candidate, scenario, study),
         taken=scenario.taken,
     )

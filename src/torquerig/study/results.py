@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from torquerig.filters.filter_effect import FilterEffect
 from torquerig.metrics.figure import Figure
@@ -62,8 +63,10 @@ class DriveResult:
         Rms at the sensor of a commutation ripple that the motor's known lines leave out [N m]; unknown where none is.
     taken : mapping of str to FromCatalog
         Catalog values of the simulated rig, by ``part.field``.
-    recording : Recording or None
-        The reading, with its truth.
+    duration : float
+        Length of the simulated recordings [s]; 0 for a drive that was not simulated.
+    simulated : function or None
+        Returns the recording of the first sample.
     """
 
     candidate: Candidate
@@ -76,11 +79,20 @@ class DriveResult:
     shares: Shares | None
     disturbance: Figure
     chains: Mapping[str, ChainResult]
-    recording: Recording | None
     load_path: LoadPath | None = None
     loop: LoopMargin | None = None
     omitted: Figure = field(default_factory=lambda: Figure(unit="N*m"))
     taken: Mapping[str, FromCatalog] = field(default_factory=dict)
+    duration: float = 0.0
+    simulated: Callable[[], Recording] | None = field(default=None, repr=False, compare=False)
+
+    @cached_property
+    def recording(self) -> Recording | None:
+        """The reading of the first sample with its truth, simulated again when it is first asked for.
+
+        The recordings of thirty drives would take 0.5 GiB, and few of them are looked at.
+        """
+        return None if self.simulated is None else self.simulated()
 
 
 @dataclass(frozen=True, kw_only=True)

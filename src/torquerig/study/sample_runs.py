@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from threading import Lock
 from typing import TypedDict
 
@@ -22,6 +23,8 @@ from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.model import Scenario
 from torquerig.simulation.batch_parts import BatchRun
 from torquerig.simulation.inputs import Span
+from torquerig.simulation.ready import ready
+from torquerig.simulation.simulator import stepped
 from torquerig.study.definition import Study
 from torquerig.study.planned_drive import PlannedDrive, settling_of
 from torquerig.study.preflight import margin_of
@@ -83,7 +86,7 @@ class DriveSamples:
         """Take the recording of a run, measure what is complete, and return whether it was the last one."""
         sample = self._samples[run.number]
         with self._lock:
-            sample.recordings[run.left_out] = recording if run.number == 0 else _needed(recording)
+            sample.recordings[run.left_out] = _held(recording, run)
             complete = len(sample.recordings) == sum(number == run.number for number, _ in self._wanted())
         if complete:
             self._measure(run.number)
@@ -111,7 +114,8 @@ class DriveSamples:
         return replace(
             self.planned.result, shares=self._shares, load_path=load_path(first.rig), loop=margin_of(first, study),
             chains=chains,
-            recording=samples[0].recordings[WHOLE],
+            duration=study.settings.duration,
+            simulated=partial(_simulated_again, first.rig, self._span(first, 0), first.title),
             disturbance=_figure([sample.disturbance for sample in samples], assumed, unit=unit),
         )  # fmt: skip
 
@@ -153,7 +157,7 @@ class DriveSamples:
             for (name, after), effect in zip(made.items(), effects, strict=True):
                 random = rms_standard_error(difference(after, whole), rate=whole.sample_rate)
                 self._effects[name] = effect, random
-        sample.recordings = {WHOLE: whole} if number == 0 else {}
+        sample.recordings = {}
 
 
 class _Remainder(TypedDict, total=False):
@@ -162,10 +166,21 @@ class _Remainder(TypedDict, total=False):
     residual_disturbance: Figure
 
 
-def _needed(recording: Recording) -> Recording:
-    """Return the recording with what is measured and what it is compared with; other truths fill the memory."""
-    kept = {name: one for name, one in recording.channels.items() if not one.truth or name in (*SENSED, *TRUE_LOADS)}
-    return replace(recording, channels=kept)
+def _simulated_again(rig: Rig, span: Span, title: str) -> Recording:
+    return stepped(ready(rig, span, scenario=title))
+
+
+def _held(recording: Recording, run: SampleRun) -> Recording:
+    """Return what is needed of a recording, in memory of its own: that of the batch can be freed."""
+    truths = (*SENSED, *TRUE_LOADS) if run.run.staged or (run.number == 0 and run.left_out == QUIET) else SENSED
+    return replace(
+        recording,
+        channels={
+            name: replace(one, values=one.values.copy())
+            for name, one in recording.channels.items()
+            if not one.truth or name in truths
+        },
+    )
 
 
 def _without(rig: Rig, groups: tuple[str, ...]) -> Rig:

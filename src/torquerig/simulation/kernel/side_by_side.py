@@ -83,4 +83,8 @@ def _interleaved(each: Sequence[Any]) -> Any:
     # a vector that begins within a line of the cache is read and written in two halves, at twice the time
     whole = np.empty(prod(shape) + LANES)
     start = -whole.ctypes.data // whole.itemsize % LANES
-    return np.stack(each, axis=-1, out=whole[start : start + prod(shape)].reshape(shape))
+    out = whole[start : start + prod(shape)].reshape(shape)
+    if all(one is first or np.array_equal(one, first) for one in each):  # such as one load of several drives
+        out[...] = first[..., np.newaxis]
+        return out
+    return np.stack(each, axis=-1, out=out)
