@@ -134,6 +134,23 @@ def test_several_sensors_of_howto_describe_your_own_rig_are_written(tmp_path: Pa
     assert read_sidecar(file).channels["brake_mV"].si_per_unit == 0.005
 
 
+def test_the_motor_foot_of_howto_describe_your_own_rig_is_read_beside_the_sensor(tmp_path: Path) -> None:
+    """Its two keys are put into the shipped wear rig."""
+    block = example("howto-describe-your-own-rig.md", "motor_foot.yaml")
+    measured, foot = block.split("rig:\n")
+    shipped = (ROOT / "scenarios" / "wear_rig.yaml").read_text(encoding="utf-8")
+    shipped = re.sub(r"^measured:.*\n", measured, shipped, flags=re.MULTILINE)
+    file = tmp_path / "wear_rig.yaml"
+    file.write_text(shipped.replace("\nrig:\n", f"\nrig:\n{foot}", 1), encoding="utf-8")
+    made = read_scenario(read_document(file), load_catalog(ROOT / "catalogs"), seed=1)
+    run = simulate(made.rig, duration=0.5, seed=1)
+    torques = {name: one for name, one in run.channels.items() if one.quantity == "torque" and not one.truth}
+    assert {one.of for one in torques.values()} == {"foot", "torque_sensor"}
+    # the sensor reads the foot's torque times the ratio of 5, less the losses of motor and gear
+    means = {one.of: float(one.in_si().mean()) for one in torques.values()}
+    assert 3.5 < means["torque_sensor"] / means["foot"] < 5
+
+
 def test_shaft_line_of_howto_diagnose_measured_motion_is_driven_by_its_recording(tmp_path: Path) -> None:
     page = "howto-diagnose-measured-motion.md"
     for name in ("shaft_line.yaml", "line1.yaml"):
