@@ -213,7 +213,7 @@ def test_a_scheduler_that_is_gone_costs_only_what_was_not_stored(tmp_path: Path)
                 all_gone.close()
 
         with pytest.raises(
-            InputError, match=r"the scheduler at .* is gone .*; start it again, and then the same command"
+            InputError, match=r"the scheduler at .* is gone.*; start it again, and then the same command"
         ):
             run(tmp_path / "store", 200, engine=Cluster(at, patience=5.0), save_every=0.0, progress=gone)
     assert 24 <= len(read_rows(tmp_path / "store")) < 200

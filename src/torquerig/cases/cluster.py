@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import logging
 import queue
 import time
 import uuid
@@ -129,9 +130,10 @@ class TaskPool:
         try:
             yield
         except (OSError, CancelledError, RuntimeError) as error:
+            why = f" ({error})" if str(error) else ""
             raise InputError(
-                f"the scheduler at {self.address} is gone ({sentence_of(error)}); start it again, and then the same "
-                "command, which goes on with the cases that are not stored"
+                f"the scheduler at {self.address} is gone{why}; start it again, and then the same command, which "
+                "goes on with the cases that are not stored"
             ) from error
 
 
@@ -150,24 +152,37 @@ def _connected(address: str, patience: float) -> Iterator[Client]:
         from distributed import Client
     except ImportError as error:
         raise InputError("a cluster needs Dask; install it with: pip install 'torquerig[cluster]'") from error
-    with (
-        warnings.catch_warnings(),
-        ThreadPoolExecutor(1) as aside,
-    ):  # this thread may have an event loop, as in a notebook
-        warnings.simplefilter("ignore")  # of other versions, which are compared later
+    with _said_here():
         try:
-            aside.submit(asyncio.run, _answers(address, patience)).result()
+            with ThreadPoolExecutor(1) as aside:  # this thread may have an event loop, as in a notebook
+                aside.submit(asyncio.run, _answers(address, patience)).result()
             client = Client(address, timeout=patience, set_as_default=False, name="torquerig")
         except Exception as error:  # whatever a server of another kind has sent
             raise InputError(
                 f"no scheduler answers at {address!r} within {patience:g} s; give the address that `dask scheduler` "
                 "prints, such as tcp://host:8786, and check that the port can be reached from here"
             ) from error
-    try:
-        yield client
-    finally:
-        with suppress(Exception):
-            client.close(timeout=patience)
+        try:
+            yield client
+        finally:
+            with suppress(Exception):
+                client.close(timeout=patience)
+
+
+@contextmanager
+def _said_here() -> Iterator[None]:
+    """Keep Dask's client from printing what is raised here as one sentence: lost connections and other versions."""
+    names = [name for name in logging.root.manager.loggerDict if name.startswith("distributed")]
+    levels = {name: logging.getLogger(name).level for name in names}
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", module="distributed")
+        for name in names:
+            logging.getLogger(name).setLevel(logging.CRITICAL)
+        try:
+            yield
+        finally:
+            for name, level in levels.items():
+                logging.getLogger(name).setLevel(level)
 
 
 def _wait_for_worker(client: Client, address: str, patience: float) -> None:
