@@ -57,6 +57,7 @@ def test_no_setting_leaves_the_document(document: Document) -> None:
         ("gearbox.ratio=", r"^--set gearbox\.ratio=: not of the form path=value"),
         ("gearbox.ratio=[1", r"^--set gearbox\.ratio=\[1: '\[1' is no YAML value; close every bracket"),
         ("particle_size=1 mm", r"this could be operating_point\.load\.particle_size and study\.all_points\.particle_size; write more"),
+        ("measured.first=1", r"the scenario has no such path"),
         ("wear_prt.inertia=1", r"^--set wear_prt\.inertia=1: the scenario has no such path; did you mean 'wear_part\.inertia'"),
         ("occupanzy=5", r"no such path; did you mean .*occupancy'"),
     ],
@@ -95,3 +96,9 @@ def test_a_fault_of_the_file_still_names_its_line(tmp_path: Path, catalog: Catal
     path.write_text(WEAR_RIG.read_text().replace("viscous: {value: 0.010 N*m*s/rad", "viscous: {value: 0.010 N*m"))
     with pytest.raises(InputError, match=r"^.*rig\.yaml:\d+: rig\.wear_part\.viscous: '0\.010 N\*m' is a torque"):
         read_scenario(overridden(read_document(path), ["load.occupancy=11"]), catalog, seed=1)
+
+
+def test_a_setting_of_a_section_that_is_not_there_names_the_section() -> None:
+    shaft_line = read_document(shipped_scenarios() / "shaft_line.yaml")
+    with pytest.raises(InputError, match=r"^--set study\.duration=0\.3s: the scenario has no section study:"):
+        overridden(shaft_line, ["study.duration=0.3s"])

@@ -10,6 +10,7 @@ from typing import Any
 
 from torquerig.document import Document, parse_document
 from torquerig.errors import InputError, TorquerigError, did_you_mean
+from torquerig.scenario.sections import SECTIONS
 
 
 @dataclass(frozen=True)
@@ -78,9 +79,20 @@ def _find(data: Any, path: list[str], setting: str) -> tuple[tuple[Any, ...], di
         written = " and ".join(".".join(map(str, (*where, key))) for where, _, key in hits)
         raise InputError(f"--set {setting}: this could be {written}; write more of the path")
     if not hits:
+        _refuse_in_missing_section(data, path, setting)
         known = {".".join(map(str, (*where[-1:], key))) for where, _, key in _mappings(data)}
         raise InputError(f"--set {setting}: the scenario has no such path; {did_you_mean('.'.join(path), known)}")
     return hits[0]
+
+
+def _refuse_in_missing_section(data: Any, path: list[str], setting: str) -> None:
+    """Raise InputError where the path starts with a section that a scenario may have and this one has not."""
+    section = path[0]
+    if len(path) > 1 and section in SECTIONS and isinstance(data, dict) and section not in data:
+        raise InputError(
+            f"--set {setting}: the scenario has no section {section}:, so that nothing of it can be set; write the "
+            "section first, or use a scenario that has it"
+        )
 
 
 def _mappings(data: Any, where: tuple[Any, ...] = ()) -> Iterator[tuple[tuple[Any, ...], dict[Any, Any], Any]]:
