@@ -33,6 +33,15 @@ def test_draws_are_answered_and_continued(tmp_path: Path) -> None:
     assert "3 cases, 1 of them computed now" in run(3)
 
 
+@pytest.mark.long
+def test_gearboxes_that_a_stated_ratio_leaves_out_are_named(tmp_path: Path) -> None:
+    pinned = [*SMALL, "--set", "study.gearboxes=[reference-5-1, spur-2.5-1]", "--set", "gearbox.ratio=5"]
+    where = ["--draws", "1", "--store", str(tmp_path / "store"), "--workers", "1"]
+    made = CliRunner().invoke(group, ["study", WEAR_RIG, *where, *pinned])
+    assert made.exit_code == 0, made.output
+    assert "Not compared: spur-2.5-1. --set gearbox.ratio=5" in " ".join(made.output.split())
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
@@ -42,6 +51,14 @@ def test_draws_are_answered_and_continued(tmp_path: Path) -> None:
         (["optimise", WEAR_RIG, "--crossover", "60..5", *SMALL], "the crossover from 60 to 5 Hz is no range"),
         (["optimise", WEAR_RIG, "--crossover", "5-60", *SMALL], "'5-60' is no range; write both ends, such as 5..60"),
         (["optimise", WEAR_RIG, "--gearbox", "reference-5-2", *SMALL], "did you mean 'reference-5-1'"),
+        (
+            ["optimise", WEAR_RIG, "--set", "gearbox.ratio=5", "--gearbox", "spur-2.5-1"],
+            "leave out this ratio, or --gearbox",
+        ),
+        (
+            ["size", WEAR_RIG, "--set", "gearbox.ratio=5", "--gearbox", "spur-2.5-1"],
+            "leave out this ratio, or --gearbox",
+        ),
         (["optimise", WEAR_RIG, "--motor", "bldc", *SMALL], "there is no motor 'bldc' in the catalog"),
     ],
 )

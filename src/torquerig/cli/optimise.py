@@ -14,6 +14,7 @@ from torquerig.errors import InputError
 from torquerig.plain_table import wrapped
 from torquerig.reporting.study.optimum_text import front_text, optimum_text
 from torquerig.scenario.overrides import overridden
+from torquerig.study.candidates import compared_gearboxes, left_out_gearboxes, refuse_pinned
 from torquerig.study.definition import open_study
 
 
@@ -66,9 +67,11 @@ def command(
     study = open_study(overridden(read_document(scenario), settings), catalog_for(scenario, catalogs))
     if gearboxes and not study.exchanged.stage:
         raise InputError(f"--gearbox {gearboxes[0]}: the study of {scenario.name} exchanges no stage")
+    for box in gearboxes:
+        refuse_pinned(box, study)
     bounds = Bounds(
-        gearboxes=gearboxes or study.gearboxes, crossover=crossover, integral_corner=integral_corner, margin=margin,
-        evaluations=evaluations,
+        gearboxes=gearboxes or compared_gearboxes(study), crossover=crossover,
+        integral_corner=integral_corner, margin=margin, evaluations=evaluations,
     )  # fmt: skip
     name = motor or study.settings.present.motor
     with drive_progress(f"speed loops of {name}") as progress:
@@ -76,6 +79,8 @@ def command(
     best = front(found.tried)
     click.echo(wrapped(optimum_text(best, found.by_rule, unit=study.effort_unit)) + "\n")
     click.echo(front_text(best, unit=study.effort_unit))
+    if not gearboxes and (note := left_out_gearboxes(study)):
+        click.echo("\n" + wrapped(note))
     if found.left_out:
         listed = "; ".join(f"{one} ({why})" for one, why in found.left_out.items())
         click.echo("\n" + wrapped(f"Cannot run: {listed}."))

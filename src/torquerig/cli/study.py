@@ -15,6 +15,7 @@ from torquerig.plain_table import wrapped
 from torquerig.reporting.study.draws_text import answer_text, convergence_text, left_out_text, ranked_draws_text
 from torquerig.reporting.study.sensitivity_text import asked_first_text, decisive_text, effects_text, too_few_text
 from torquerig.scenario.overrides import overridden
+from torquerig.study.candidates import left_out_gearboxes
 from torquerig.study.definition import open_study
 
 if TYPE_CHECKING:
@@ -54,7 +55,8 @@ def command(
     if cluster is not None and workers is not None:
         raise click.UsageError("--workers is for this machine; a cluster has its own, so leave one of the two out")
     document = overridden(read_document(scenario), settings)
-    drawn = drawn_study(open_study(document, catalog_for(scenario, catalogs)))
+    study = open_study(document, catalog_for(scenario, catalogs))
+    drawn, not_compared = drawn_study(study), wrapped(left_out_gearboxes(study))
     folder = store or Path("studies") / (f"{scenario.stem}-{method}" if method else scenario.stem)
     engine, unit = _engine(workers, cluster), drawn.study.effort_unit
     with case_progress(f"{draws} {_POINTS[method]} of {len(drawn.drives)} drives") as progress:
@@ -72,7 +74,7 @@ def command(
                 effects_text(made.found, made.design, unit=unit), too_few_text(made.found),
             ]  # fmt: skip
             run = made.run
-    click.echo("\n\n".join(text for text in (*texts, *run.notes) if text))
+    click.echo("\n\n".join(text for text in (*texts, not_compared, *run.notes) if text))
     click.echo(f"\n{run.total} cases, {run.computed} of them computed now in {run.seconds:.1f} s")
     if run.failed or run.unfinished:
         click.echo(f"{run.failed} cases failed and {run.unfinished} are unfinished: see the column error")

@@ -73,17 +73,35 @@ class Candidate:
 def candidates(study: Study) -> tuple[Candidate, ...]:
     """Return all motors on all stages; a ratio next to the catalog entry of the rig's gear fixes the gearbox."""
     _refuse_unknown(study)
-    stage = study.exchanged.stage
-    fixed = pinned_ratio(study.document, stage) if stage else None
-    boxes = study.gearboxes or ("",)
-    if fixed is not None:
-        boxes = (str(study.document.data["rig"][stage]["catalog"]),)
+    boxes = compared_gearboxes(study) or ("",)
     made = {box: candidate_of(study, motor=study.settings.present.motor, gearbox=box) for box in boxes}
     texts = [one.ratio_text for one in made.values()]
     told = {box: box if texts.count(one.ratio_text) > 1 else "" for box, one in made.items()}
     return tuple(
         replace(made[box], motor=motor, told_apart=told[box]) for motor in study.motors for box in boxes
     )  # fmt: skip
+
+
+def compared_gearboxes(study: Study) -> tuple[str, ...]:
+    """Return the gearboxes that the study compares: that of a stated ratio alone, else all; empty without a stage."""
+    stage = study.exchanged.stage
+    if pinned_ratio(study.document, stage) is None:
+        return study.gearboxes
+    return (str(study.document.data["rig"][stage]["catalog"]),)
+
+
+def refuse_pinned(gearbox: str, study: Study) -> None:
+    """Raise InputError where ``--gearbox`` names another gearbox than the one that a stated ratio fixes."""
+    stage = study.exchanged.stage
+    if pinned_ratio(study.document, stage) is None:
+        return
+    part = study.document.data["rig"][stage]
+    if gearbox != part["catalog"]:
+        place = study.document.place(("rig", stage, "ratio"))
+        raise InputError(
+            f"--gearbox {gearbox}: {place}: {part['ratio']:g} is stated next to the catalog entry {part['catalog']} "
+            "and fixes the gearbox; leave out this ratio, or --gearbox"
+        )
 
 
 def left_out_gearboxes(study: Study) -> str:

@@ -10,7 +10,7 @@ from torquerig.errors import InputError, UnknownNameError
 from torquerig.rig.parts import SpeedController
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
-from torquerig.study.candidates import candidate_of, scenario_of
+from torquerig.study.candidates import candidate_of, refuse_pinned, scenario_of
 from torquerig.study.definition import open_study
 from torquerig.study.exchanged_data import look_up_stage
 
@@ -43,6 +43,8 @@ def scenario_or_candidate(
     box = gearbox or study.present_gearbox
     if box:
         _looked_up("--gearbox", box, lambda name: look_up_stage(name, study))
+    if gearbox is not None:
+        refuse_pinned(gearbox, study)
     name = motor or study.settings.present.motor
     _looked_up("--motor", name, catalog.motor)
     return scenario_of(candidate_of(study, motor=name, gearbox=box), study, seed=seed)
