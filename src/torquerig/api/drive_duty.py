@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from torquerig.api.inputs import scenario_from
 from torquerig.api.result import Result
 from torquerig.errors import InputError
+from torquerig.scenario.checks.recorded_load import refuse_unstated_load
 from torquerig.scenario.checks.requirement_check import check_requirement, entry_of
 from torquerig.scenario.drive_requirement import drive_requirement
 from torquerig.scenario.kinematics import ratio_text
@@ -108,7 +109,7 @@ def duty(
     Raises
     ------
     InputError
-        Where the motor is not of the catalog, so that nothing is known of its heat.
+        Where the motor is not of the catalog, so that nothing is known of its heat, or a load is recorded only.
 
     Examples
     --------
@@ -121,6 +122,7 @@ def duty(
     if made.catalog is None or (entry := entry_of(made.rig, made.catalog)) is None:
         raise InputError(f"{made.title}: the driven motor is not in the catalog, so that nothing is known of its heat; "
                          "name one with catalog: in the scenario, or with motor=")  # fmt: skip
+    refuse_unstated_load(made)
     points = made.rig.run.set_points
     length = duration or made.recording.duration if points is None else points.breakpoints(top=0.0, duration=0.0).length
     warnings = check_requirement(made, made.catalog, duration=length)

@@ -15,6 +15,7 @@ from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import read_recording
 from torquerig.rig.leading_part import leading_motor
 from torquerig.rig.parts import WormGear
+from torquerig.scenario.checks.recorded_load import refuse_unstated_load
 from torquerig.scenario.checks.requirement_check import check_requirement, entry_of
 from torquerig.scenario.checks.unused import unused_by_run
 from torquerig.scenario.drive_requirement import drive_requirement
@@ -91,6 +92,7 @@ def command(
             duty=duty_of_recording(read), entry=entry, title=f"{entry.name}, {recording}, {read.duration:g} s"
         )
     else:
+        refuse_unstated_load(made)
         points = made.rig.run.set_points
         seconds = made.recording.duration if duration is None else _seconds(duration)
         length = seconds if points is None else points.breakpoints(top=0.0, duration=0.0).length

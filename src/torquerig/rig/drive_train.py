@@ -35,7 +35,7 @@ class DriveTrain:
 
     Gears lose power in the direction in which it flows: what is driven counts divided by its efficiency, what drives
     back times it. Left out everywhere: friction between two shafts, ripple, replayed torques, what a random load does
-    around its mean.
+    around its mean, what second motors give (:mod:`~torquerig.scenario.checks.recorded_load` refuses what matters).
 
     Parameters
     ----------

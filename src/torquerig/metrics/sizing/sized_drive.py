@@ -17,6 +17,7 @@ from torquerig.rig.assembly import Rig
 from torquerig.rig.drive_train import driven_motor
 from torquerig.rig.parts import Gear, Motor, WormGear
 from torquerig.rig.reading_place import reading_place
+from torquerig.scenario.checks.recorded_load import refuse_unstated_load
 from torquerig.scenario.drive_requirement import DriveRequirement, drive_requirement
 from torquerig.scenario.kinematics import gears_to_sensor, torque_gain, turns_to
 from torquerig.scenario.model import Scenario
@@ -111,7 +112,7 @@ def sized_drive(scenario: Scenario, catalog: Catalog, *, duration: float = STEAD
     Raises
     ------
     InputError
-        When no motor of the catalog follows a set-point.
+        When no motor of the catalog follows a set-point, or a load is recorded only.
     """
     rig, path = scenario.rig, scenario.document.path
     part, in_a_line = driven_motor(rig), rig.in_a_line(rig.part(rig.measured))
@@ -121,6 +122,7 @@ def sized_drive(scenario: Scenario, catalog: Catalog, *, duration: float = STEAD
     if part.model not in catalog.motors and not part.model:
         raise InputError(f"{path}: the driven motor is not in the catalog, so that nothing is known of its ratings; "
                          "name one with catalog: or --motor")  # fmt: skip
+    refuse_unstated_load(scenario)
     entry = catalog.motor(part.model)
     written = scenario.document.data["rig"]
     bought = [gear.name for gear in gears_to_sensor(rig) if isinstance(gear, Gear | WormGear)]
