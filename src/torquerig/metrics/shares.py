@@ -22,8 +22,9 @@ class Shares:
     """Rms of each share of the torque in the sensor [N m], and the mean [N m].
 
     Each share is the difference to a run without that group of effects, under the same random load. The squares need
-    not add up, because speed loop and losses couple the groups slightly. ``true_load`` is the rms of the load where it
-    acts; ``load`` is what the shafts make of it at the sensor, which depends on inertias, ratio and speed loop.
+    not add up, because speed loop and losses couple the groups slightly. ``true_load`` is the rms of the load, referred
+    to the measured shaft; ``load`` is what the shafts make of it at the sensor, which depends on inertias, ratio and
+    speed loop.
     """
 
     mean: float

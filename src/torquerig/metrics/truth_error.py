@@ -26,7 +26,8 @@ def true_load(recording: Recording) -> NDArray[np.float64] | None:
 def truth_error(reading: Recording, truth: Recording) -> float:
     """Return the rms of reading minus true load [N m], in a line [N], mean included.
 
-    The true load is all that opposes the motion at the wear part, disturbance lines excluded. The error
+    The true load is all that opposes the motion at the wear part, disturbance lines excluded, referred to the measured
+    shaft by the ratio between (losses between are part of the error). The error
     consists of residual lines behind the filter, lost parts of the load, and shaft vibration due to the load, which no
     notch removes.
 

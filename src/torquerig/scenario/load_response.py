@@ -8,6 +8,7 @@ from torquerig.errors import InputError
 from torquerig.filters.load_response import LoadResponse
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Load
+from torquerig.rig.turns import load_lever
 from torquerig.sensor_stages.amplifier import AmplifierLowPass
 from torquerig.simulation.simulator import SAMPLE_RATE
 from torquerig.simulation.twin.linear_twin import twin_of
@@ -20,8 +21,8 @@ def load_response(rig: Rig, *, rate: float = SAMPLE_RATE) -> LoadResponse:
     """Return the reading per true load of the rig's twin at its operating point, speed loop and amplifier included.
 
     Up to half the sample rate ``rate`` [Hz], at which the speed loop runs too. The true load is all that opposes the
-    wear part's motion, friction included: the twin's transfer from the load to the measured torque over that from the
-    load to the opposing torque.
+    wear part's motion, friction included, referred to the measured shaft: the twin's transfer from the load to the
+    measured torque over that from the load to the opposing torque.
 
     Raises
     ------
@@ -37,6 +38,7 @@ def load_response(rig: Rig, *, rate: float = SAMPLE_RATE) -> LoadResponse:
     worn = twin.lowered.nodes[int(twin.lowered.arrays.loads.on[rows[0]])]
     system = twin.closed_loop.only(inputs=[cause], outputs=[twin.sensor, f"opposing torque on {worn}"])
     read, opposing = system.response(frequencies)[:, :, 0].T
+    opposing = opposing * load_lever(rig, worn)
     for stage in rig.stages():
         if isinstance(stage, AmplifierLowPass):
             read = read * _butterworth(frequencies / stage.cutoff, stage.order)

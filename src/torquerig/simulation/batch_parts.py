@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -12,11 +12,12 @@ from numpy.typing import NDArray
 
 from torquerig.rig.assembly import Rig
 from torquerig.simulation.condensation.lowered_for import lower_for
-from torquerig.simulation.inputs import Span, held_while_settling
+from torquerig.simulation.inputs import Span, filled, held_while_settling
 from torquerig.simulation.kernel.lanes import LANES
 from torquerig.simulation.lower import Lowered
 from torquerig.simulation.measured_places import Output
 from torquerig.simulation.outputs import TRUE_OUTPUTS, outputs_of
+from torquerig.simulation.step_choice import step_choice
 from torquerig.simulation.term_kinds import KINDS
 
 
@@ -50,16 +51,22 @@ class BatchRun:
         return self.lowered.nodes, self.outputs, shared
 
     @cached_property
+    def probable_steps(self) -> int:
+        """The integration steps per sample at the first set-point, most often those of the whole run."""
+        short = replace(self.span, settling=0, samples=2, wander=0.0)
+        return step_choice(self.lowered, filled(self.rig, self.lowered, short), self.span.rate).steps
+
+    @cached_property
     def outputs(self) -> tuple[Output, ...]:
         """The outputs that are kept: all, or the true measured value and the true load where nothing is staged."""
         return outputs_of(self.rig, self.lowered)[: None if self.staged else TRUE_OUTPUTS]
 
 
 def alike(runs: Sequence[BatchRun]) -> list[list[int]]:
-    """Return the rows of runs that are alike, in parts of about the same size that fit the lanes."""
+    """Return the rows of runs that are alike and have one step, in parts of about the same size that fit the lanes."""
     found: dict[Hashable, list[int]] = {}
     for row, run in enumerate(runs):
-        found.setdefault(run.likeness, []).append(row)
+        found.setdefault((run.likeness, run.probable_steps), []).append(row)
     return [
         [int(row) for row in part] for rows in found.values() for part in np.array_split(rows, -(-len(rows) // LANES))
     ]

@@ -12,6 +12,7 @@ from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Probe
 from torquerig.rig.reading_place import reading_place
 from torquerig.rig.terms import Load
+from torquerig.rig.turns import load_lever
 from torquerig.simulation import kernel
 from torquerig.simulation.arrays import Outputs
 from torquerig.simulation.lower import Lowered
@@ -37,7 +38,8 @@ def outputs_of(rig: Rig, lowered: Lowered) -> tuple[Output, ...]:
     quantity, ending, _ = what_is_read(rig, rig.measured)
     listed = [
         place_output(rig, lowered, rig.measured, name=f"true_sensor_{quantity}_{ending}"),
-        Output(f"true_load_{effort[1]}", kernel.OPPOSING_TORQUE, part, effort[0], effort[2]),
+        Output(f"true_load_{effort[1]}", kernel.OPPOSING_TORQUE, part, effort[0], effort[2],
+               factor=load_lever(rig, lowered.nodes[part])),
         Output(_named("motor", driven.place), kernel.ANGLE, motor, driven.motor[2], driven.place[2]),
         Output(_named("motor", driven.rate), kernel.SPEED, motor, driven.motor[1], driven.rate[2]),
         Output(_named("output", rate), kernel.SPEED, part, rate[0], rate[2]),

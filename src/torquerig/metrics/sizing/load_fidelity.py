@@ -12,6 +12,7 @@ from torquerig.metrics.sizing.open_data import Values, over_intervals
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Inertia, Load, Spring
+from torquerig.rig.turns import load_lever
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.simulation.twin.linear_twin import twin_of
 from torquerig.simulation.twin.plant import load_input
@@ -90,7 +91,7 @@ def frequencies_of(rig: Rig) -> np.ndarray:
 
 
 def reading_per_load(rig: Rig, frequencies: np.ndarray, *, closed: bool) -> np.ndarray:
-    """Return the torque in the sensor per torque that opposes the wear part, complex, shape (frequencies,)."""
+    """Return the torque in the sensor per load referred to its shaft, complex, shape (frequencies,)."""
     twin = twin_of(rig)
     row = next(row for row, term in enumerate(twin.lowered.load_terms) if isinstance(term, Load))
     worn = twin.lowered.nodes[int(twin.lowered.arrays.loads.on[row])]
@@ -99,7 +100,7 @@ def reading_per_load(rig: Rig, frequencies: np.ndarray, *, closed: bool) -> np.n
     read, opposing = (
         system.only(inputs=[load_input(twin.lowered, row)], outputs=outputs).response(frequencies)[:, :, 0].T
     )
-    return np.asarray(read / opposing)
+    return np.asarray(read / (opposing * load_lever(rig, worn)))
 
 
 def _joined(start: str, springs: list[Spring]) -> set[str]:
