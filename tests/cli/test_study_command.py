@@ -12,7 +12,7 @@ from torquerig.cli import group, main
 
 WEAR_RIG = str(shipped_folder().parent / "scenarios" / "wear_rig.yaml")
 SMALL = [
-    "--set", "study.motors=[bldc-12n14p]", "--set", "study.gearboxes=[reference-5-1]", "--set", "study.duration=0.1 s",
+    "--set", "study.motors=[bldc-12n14p]", "--set", "study.gearboxes=[reference-5-1]", "--set", "study.duration=0.2 s",
     "--set", "study.filters.names=[none, low_pass_20Hz]", "--set", "study.present.filter=none",
 ]  # fmt: skip
 PINNED = ["--set", "study.gearboxes=[reference-5-1, spur-2.5-1]", "--set", "gearbox.ratio=5"]
@@ -29,7 +29,7 @@ def test_draws_are_answered_and_continued(tmp_path: Path) -> None:
         return made.output
 
     first = run(2)
-    assert first.startswith(("bldc-12n14p 5:1 with the filter", "2 draws"))
+    assert first.startswith("bldc-12n14p 5:1 is the best drive: it is first in 100% of 2 draws (at least ")
     assert "2 cases, 2 of them computed now" in first
     assert "Not compared: spur-2.5-1. --set gearbox.ratio=5" in " ".join(first.split())
     assert "3 cases, 1 of them computed now" in run(3)

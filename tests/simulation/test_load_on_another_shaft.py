@@ -32,7 +32,8 @@ STAGE
   speed_controller: {kind: speed_controller, motor: motor, kp: 0.2 N*m*s/rad, ki: 2 N*m/rad}
 """
 GEAR = """
-  gear: {kind: gear, ratio: RATIO, efficiency: 1, stiffness: 5 kN*m/rad, damping: 5 N*m*s/rad, output_inertia: 1 kg*cm^2}
+  gear: {kind: gear, ratio: RATIO, efficiency: 1, stiffness: 5 kN*m/rad, damping: 5 N*m*s/rad,
+         output_inertia: 1 kg*cm^2}
   worn: {kind: body, inertia: 4 kg*cm^2}
 """
 DRUM = """

@@ -16,6 +16,7 @@ from torquerig.cases.case import Column, checked_columns
 from torquerig.errors import InputError
 from torquerig.version import __version__
 
+SOURCES = "torquerig's sources"
 FORMAT = 1  # of a store's folder
 LIBRARIES = ("numpy", "scipy", "numba")  # a digit of a result can depend on them
 
@@ -23,7 +24,7 @@ LIBRARIES = ("numpy", "scipy", "numba")  # a digit of a result can depend on the
 @cache
 def code_here() -> Mapping[str, str]:
     """Return the versions of the code of this process, which the answers of a case may depend on."""
-    found = {"torquerig": __version__, "torquerig's sources": sources_digest()}
+    found = {"torquerig": __version__, SOURCES: sources_digest()}
     found["python"] = f"{sys.version_info.major}.{sys.version_info.minor}"
     for library in LIBRARIES:
         try:
@@ -104,6 +105,8 @@ def refuse_other(stored: str, wanted: Identity, *, folder: Path) -> None:
     for name, value, other in _differences(there["study"], here["study"]):
         raise InputError(f"{folder} holds another study: its {name} is {value}, this study's is {other}; {another}")
     for name, value, other in _differences(there["code"], here["code"]):
+        if name == SOURCES:
+            raise InputError(f"{folder} was computed by other sources of torquerig; the rows could differ; {another}")
         raise InputError(
             f"{folder} was computed with {name} {value}, here is {other}; the rows could differ; "
             f"use {name} {value} again, or {another}"

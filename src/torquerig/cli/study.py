@@ -70,8 +70,8 @@ def command(
         else:
             made = run_design(drawn, method, draws, folder=folder, engine=engine, progress=progress)
             texts = [
-                wrapped(asked_first_text(made.found, unit=unit)), decisive_text(made.found),
-                effects_text(made.found, made.design, unit=unit), too_few_text(made.found),
+                too_few_text(made.found), wrapped(asked_first_text(made.found, unit=unit)), decisive_text(made.found),
+                effects_text(made.found, made.design, unit=unit),
             ]  # fmt: skip
             run = made.run
     click.echo("\n\n".join(text for text in (*texts, not_compared, *run.notes) if text))

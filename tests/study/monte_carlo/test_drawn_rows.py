@@ -65,8 +65,16 @@ def test_more_draws_are_added_to_those_that_are_there(tmp_path: Path) -> None:
     assert again.tables["disturbance"].shape == (2, 1)
 
 
-@pytest.mark.parametrize("edit", ["study.duration=0.3 s", "study.seed=2", "operating_point.load.occupancy=7 %"])
-def test_a_store_of_another_study_is_refused(tmp_path: Path, edit: str) -> None:
+@pytest.mark.parametrize(
+    ("edit", "said"),
+    [
+        ("study.duration=0.3 s", "its study.duration is 0.2 s, this study's is 0.3 s"),
+        ("study.seed=2", "its study.seed is 1, this study's is 2"),
+        ("operating_point.load.occupancy=7 %", "its operating_point.load"),
+        ("study.motors=[bldc-12n14p]", "its catalog entry HDS6A-0104A is not stated|its drives is|its study.motors is"),
+    ],
+)
+def test_a_store_of_another_study_is_refused(tmp_path: Path, edit: str, said: str) -> None:
     for asked in (study(), study(edit)):
         identity = drawn_study(asked).identity("draws")
         there = tmp_path / "study.json"
@@ -75,7 +83,7 @@ def test_a_store_of_another_study_is_refused(tmp_path: Path, edit: str) -> None:
             continue
         from torquerig.cases.identity import refuse_other
 
-        with pytest.raises(InputError, match="holds another study: its scenario is"):
+        with pytest.raises(InputError, match=f"holds another study: ({said})"):
             refuse_other(there.read_text(), identity, folder=tmp_path)
 
 

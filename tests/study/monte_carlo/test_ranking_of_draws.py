@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import cache
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from torquerig.catalog.reading import load_catalog
@@ -13,11 +14,14 @@ from torquerig.catalog.shipped import shipped_folder
 from torquerig.decide.kesselring import TEACHING, kesselring
 from torquerig.decide.matrix import Cell
 from torquerig.document import read_document
+from torquerig.errors import InputError
+from torquerig.reporting.study.draws_text import answer_text
 from torquerig.scenario.overrides import overridden
 from torquerig.study.definition import open_study
 from torquerig.study.monte_carlo.distribution import distribution, share_uncertainty
 from torquerig.study.monte_carlo.drawn_study import drawn_study
-from torquerig.study.monte_carlo.ranking import Rating, column_of, rating_of
+from torquerig.study.monte_carlo.ranking import Ranking, Rating, column_of, rating_of
+from torquerig.study.monte_carlo.running import _ranked
 from torquerig.study.settings import SIMULATED
 
 SMALL = (
@@ -79,3 +83,26 @@ def test_the_interval_of_the_median_holds_it_in_95_of_100_cases() -> None:
 def test_the_uncertainty_of_a_share_is_that_of_wilson() -> None:
     assert share_uncertainty(0.5, 10_000) == pytest.approx(0.0098, rel=0.01)
     assert 0 < share_uncertainty(1.0, 100) < 0.02
+
+
+def test_the_answer_tells_drive_and_filter_apart() -> None:
+    drives, filters = list(rating().drawn.drives), rating().drawn.filters
+    combinations = tuple((drive, one) for drive in drives for one in filters)
+    totals = np.zeros((20, len(combinations)))
+    totals[::2, 0], totals[1::2, 1] = 1.0, 1.0  # the first drive with either filter
+    told = answer_text(Ranking(combinations, totals, {}))
+    assert told.startswith(f"{drives[0]} is the best drive: it is first in 100% of 20 draws (at least 84% of all).")
+    assert told.endswith(f"Its best filter is open: {filters[0]} (50%), {filters[1]} (50%).")
+    totals[:5] = 0.0
+    totals[:5, -1] = 1.0
+    told = answer_text(Ranking(combinations, totals, {}))
+    assert told.startswith(
+        f"No drive is clearly best: what the data sheets leave open decides. {drives[0]} is first in 75%"
+    )
+
+
+def test_draws_without_any_reading_are_refused_with_their_reason() -> None:
+    values = {name: np.full_like(table, np.nan) for name, table in tables(2).items()}
+    rows = pd.DataFrame({"error": ["the channel torque is missing", None], "out_of_reach": [None, ""]})
+    with pytest.raises(InputError, match=r"no drive has a reading at any draw, .*: the channel torque is missing"):
+        _ranked(rating(), values, rows)

@@ -46,7 +46,7 @@ def found(method: Method, count: int) -> Sensitivity:
     errors = np.array([x, 0.25 + 0.3 * y + 0.1 * z])
     ranking = Ranking(((FIRST, "none"), (SECOND, "none")), -errors.T, {})
     prices = {FIRST: 0.0, SECOND: 700.0}
-    return sensitivity(drawn(), made, {error_column("none"): errors}, ranking, prices=prices)
+    return sensitivity(made, {error_column("none"): errors}, ranking, prices=prices)
 
 
 def test_sobol_indices_are_those_of_a_sum() -> None:
@@ -132,4 +132,4 @@ def test_a_row_without_an_error_is_said() -> None:
     errors = np.full((2, len(made.quantiles)), np.nan)
     ranking = Ranking(((FIRST, "none"), (SECOND, "none")), np.zeros((len(made.quantiles), 2)), {})
     with pytest.raises(InputError, match=r"bldc-12n14p 5:1 has no reading error in 40 of 40 rows"):
-        sensitivity(drawn(), made, {error_column("none"): errors}, ranking, prices={})
+        sensitivity(made, {error_column("none"): errors}, ranking, prices={})

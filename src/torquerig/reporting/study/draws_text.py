@@ -13,6 +13,7 @@ from torquerig.study.monte_carlo.drawn_study import DrawnStudy, error_column
 from torquerig.study.monte_carlo.ranking import Ranking
 
 Floats = NDArray[np.float64]
+FEWEST = 10  # draws; fewer have no 95 % interval of their median
 CLEAR = 0.9  # [1] share of the draws from which on a drive is called the best one
 
 
@@ -23,13 +24,29 @@ def answer_text(ranking: Ranking) -> str:
         return f"No drive meets the requirements: {_listed(ranking.eliminated)}."
     shares = ranking.drive_shares()
     first, share = next(iter(shares.items()))
-    filtering = ranking.best_filters()[first]
-    within = f"{share:.0%} of {draws} draws (± {share_uncertainty(share, draws):.1%})"
+    within = f"{share:.0%} of {draws} draws ({_sure(share, draws)})"
     if share >= CLEAR:
-        return f"{first} with the filter {filtering} is the best choice: it is first in {within}."
+        return f"{first} is the best drive: it is first in {within}. {_filters(ranking, first)}"
     others = [f"{name} ({part:.0%})" for name, part in list(shares.items())[1:4] if part >= 0.005]
     named = f"; then come {', '.join(others)}" if others else ""
     return f"No drive is clearly best: what the data sheets leave open decides. {first} is first in {within}{named}."
+
+
+def _sure(share: float, draws: int) -> str:
+    """Return how sure a share is by the number of draws."""
+    reach = share_uncertainty(share, draws)
+    if share == 1.0:  # Wilson's interval is one-sided there
+        return f"at least {1 - 2 * reach:.0%} of all"
+    return f"± {reach:.1%}"
+
+
+def _filters(ranking: Ranking, drive: str) -> str:
+    """Return with which filter a drive is best; several where the draws do not part them."""
+    shares = {pair[1]: share for pair, share in ranking.shares().items() if pair[0] == drive and share > 0}
+    first, share = next(iter(shares.items()))
+    if share >= CLEAR * sum(shares.values()):
+        return f"Its best filter is {first}."
+    return f"Its best filter is open: {', '.join(f'{name} ({part:.0%})' for name, part in shares.items())}."
 
 
 def ranked_draws_text(drawn: DrawnStudy, ranking: Ranking, tables: Mapping[str, Floats]) -> str:
@@ -44,7 +61,7 @@ def ranked_draws_text(drawn: DrawnStudy, ranking: Ranking, tables: Mapping[str, 
         rows.append(
             [
                 f"{drive} | {filtering}", f"{100 * share:.1f}", f"{found.median:.4f}", f"{found.low:.4f}",
-                f"{found.high:.4f}", f"{100 * found.uncertainty:.1f}",
+                f"{found.high:.4f}", "-" if found.draws < FEWEST else f"{100 * found.uncertainty:.1f}",
             ]
         )  # fmt: skip
     return grid(rows)

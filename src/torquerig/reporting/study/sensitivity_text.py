@@ -26,6 +26,8 @@ def asked_first_text(found: Sensitivity, *, unit: str) -> str:
     if not found.effects:
         return "No open value changes the reading error."
     most = found.effects[0]
+    if most.error <= most.total_reach:
+        return "No effect of an open value on the reading error is larger than its uncertainty yet: take more draws."
     return (
         f"Ask for {spoken(most.name)} first: over its range it changes the reading error of {most.drive} by "
         f"{most.error:.3g} {unit.replace('*', ' ')}."

@@ -17,6 +17,7 @@ from torquerig.study.preflight import check_study, out_of_reach
 from torquerig.study.settings import metrics_of
 
 RATED_AFTERWARDS = ("requirements", "criteria", "draws", "all_points")  # of a study
+LONGEST = 60  # characters of a value that an identity holds as text
 MOST = 100_000_000  # draws; the number of a case holds the drive beside it
 
 
@@ -76,19 +77,32 @@ class DrawnStudy:
     def identity(self, plan: str) -> Identity:
         """Return what determines the answers; ``plan`` names the table of cases: draws, or a design of them."""
         study = self.study
-        used = {name: repr(study.catalog.motor(one.motor)) for name, one in self.drives.items()}
+        motors = {one.motor: repr(study.catalog.motor(one.motor)) for one in self.drives.values()}
         shelves = (study.catalog.gearboxes, study.catalog.sensors, study.catalog.couplings)
-        catalog = json.dumps([used, [{name: repr(one) for name, one in shelf.items()} for shelf in shelves]])
+        others = {name: repr(one) for shelf in shelves for name, one in shelf.items()}
         return Identity(
             study={
-                "scenario": digest_of(json.dumps(_computed(study.document.data), default=repr, sort_keys=True)),
-                "filters": digest_of(json.dumps(study.filters.data, default=repr, sort_keys=True)),
-                "catalog": digest_of(catalog),
-                "plan": plan,
+                **_stated(_computed(study.document.data)),
+                "drives": ", ".join(self.drives),
+                "filter file": digest_of(json.dumps(study.filters.data, default=repr, sort_keys=True)),
+                **{f"catalog entry {name}": digest_of(text) for name, text in (motors | others).items()},
+                "plan": plan if len(plan) <= LONGEST else f"{plan[:LONGEST]}... ({digest_of(plan)})",
             },
             values=[Column("drive", kind="str"), Column("draw", kind="int"), *quantile_columns(plan)],
             results=self.results(),
         )
+
+
+def _stated(data: Mapping[str, Any], before: str = "") -> dict[str, str]:
+    """Return what a scenario states, by dotted key: short values as text, long ones as digests."""
+    found: dict[str, str] = {}
+    for key, value in data.items():
+        name, text = f"{before}{key}", json.dumps(value, default=repr, sort_keys=True)
+        if isinstance(value, dict) and len(text) > LONGEST:
+            found |= _stated(value, f"{name}.")
+        else:
+            found[name] = text.strip('"') if len(text) <= LONGEST else digest_of(text)
+    return found
 
 
 def _computed(data: Mapping[str, Any]) -> Mapping[str, Any]:

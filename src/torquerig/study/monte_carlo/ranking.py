@@ -44,6 +44,11 @@ class Ranking:
     eliminated: Mapping[str, str]
 
     @property
+    def is_empty(self) -> bool:
+        """Whether no combination has a reading at any draw."""
+        return not np.isfinite(self.totals).any()
+
+    @property
     def best(self) -> NDArray[np.int64]:
         """The best combination of each draw, shape (draws,); the first listed where several are."""
         return np.asarray(self.totals.argmax(axis=1), dtype=np.int64)
@@ -107,7 +112,8 @@ class Rating:
                     continue
                 values = tables[column_of(metric, filtering)][drives.index(drive)]
                 totals[:, at] += weight * value.points(values)
-        return Ranking(rows, np.where(np.isnan(totals), -np.inf, totals / self.fixed.profile.p_max), self.eliminated)
+        totals = np.where(np.isnan(totals), -np.inf, totals / self.fixed.profile.p_max)
+        return Ranking(rows, totals, self.eliminated)
 
     def _combinations(self) -> tuple[tuple[str, str], ...]:
         return tuple(_parted(name) for name in self.matrix.alternatives)

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from torquerig.cases import Limits, Progress, StudyRun, run_cases
 from torquerig.cases.block import Engine
+from torquerig.errors import InputError
 from torquerig.study.candidates import scenario_of
 from torquerig.study.monte_carlo.design import Design, Method, design_of
 from torquerig.study.monte_carlo.drawn_case import drawn_rows
 from torquerig.study.monte_carlo.drawn_study import DrawnStudy, cases_of_draws
-from torquerig.study.monte_carlo.ranking import Floats, Ranking, rating_of, tables_of
+from torquerig.study.monte_carlo.ranking import Floats, Ranking, Rating, rating_of, tables_of
 from torquerig.study.monte_carlo.sensitivity import Sensitivity, sensitivity
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 LANES = 8  # rigs that the vector registers hold
 LARGEST_BLOCK = 64  # cases; with drawn pole pairs and slots few rigs of eight are alike
@@ -50,8 +55,9 @@ def run_draws(
         block_size=_block_size(drawn), limits=Limits(seconds=seconds), progress=progress,
     )  # fmt: skip
     rows = run.rows()
-    tables = tables_of(drawn, rows[rows["draw"] < draws])
-    return Draws(run, tables, rating.ranking(tables))
+    asked = rows[rows["draw"] < draws]
+    tables = tables_of(drawn, asked)
+    return Draws(run, tables, _ranked(rating, tables, asked))
 
 
 @dataclass(frozen=True)
@@ -81,9 +87,20 @@ def run_design(
         block_size=_block_size(drawn), limits=Limits(seconds=seconds), progress=progress,
     )  # fmt: skip
     rows = run.rows()
-    tables = design.filled(tables_of(drawn, rows[rows["case"].isin([case.number for case in cases])]))
-    found = sensitivity(drawn, design, tables, rating.ranking(tables), prices=rating.prices)
+    asked = rows[rows["case"].isin([case.number for case in cases])]
+    tables = design.filled(tables_of(drawn, asked))
+    found = sensitivity(design, tables, _ranked(rating, tables, asked), prices=rating.prices)
     return DesignedDraws(run, design, found)
+
+
+def _ranked(rating: Rating, tables: Mapping[str, Floats], rows: pd.DataFrame) -> Ranking:
+    """Return the ranking; InputError with the reason of the first case where not one has a reading."""
+    found = rating.ranking(tables)
+    if found.combinations and found.is_empty:
+        reasons = [*rows["error"].dropna(), *(one for one in rows["out_of_reach"].dropna() if one)]
+        why = f": {reasons[0]}" if reasons else ""
+        raise InputError(f"no drive has a reading at any draw, so there is nothing to rank{why}")
+    return found
 
 
 def _block_size(drawn: DrawnStudy) -> int:

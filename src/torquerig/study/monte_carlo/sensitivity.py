@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from torquerig.errors import InputError
 from torquerig.study.monte_carlo.design import LEVELS, Design
-from torquerig.study.monte_carlo.drawn_study import DrawnStudy, error_column
+from torquerig.study.monte_carlo.drawn_study import error_column
 from torquerig.study.monte_carlo.ranking import Ranking
 
 Floats = NDArray[np.float64]
@@ -71,17 +71,17 @@ class Sensitivity:
 
 
 def sensitivity(
-    drawn: DrawnStudy, design: Design, tables: Mapping[str, Floats], ranking: Ranking, *,
+    design: Design, tables: Mapping[str, Floats], ranking: Ranking, *,
     prices: Mapping[str, float | None],
 ) -> Sensitivity:  # fmt: skip
-    """Return the effects from the tables of a design, shape (drives, rows), and its ranking at each row.
+    """Return the effects on the ranked drives, from the tables of a design, shape (drives, rows), and its ranking.
 
     ``prices`` are those of the new parts of each drive [EUR].
     """
     best_filters, found = ranking.best_filters(), []
     for at, drive in enumerate(design.of_drive):
-        filtering = best_filters.get(drive, drawn.study.settings.present.filter)
-        if design.of_drive[drive]:
+        if design.of_drive[drive] and drive in best_filters:  # nobody need ask for data of the eliminated
+            filtering = best_filters[drive]
             found += _effects(design, drive, filtering, tables[error_column(filtering)][at])
     decisive = _decisive(design, ranking, prices) if design.method == "sobol" else ()
     return Sensitivity(tuple(sorted(found, key=lambda one: -one.error)), decisive, _points(design))

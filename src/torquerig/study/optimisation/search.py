@@ -69,9 +69,11 @@ def optimised(
     tried: list[Tried] = []
     by_rule: list[Tried] = []
     left_out: dict[str, str] = {}
-    boxes = bounds.gearboxes or ("",)
-    for done, box in enumerate(boxes, start=1):
-        candidate = candidate_of(study, motor=motor, gearbox=box)
+    made = [candidate_of(study, motor=motor, gearbox=box) for box in bounds.gearboxes or ("",)]
+    names = [one.name for one in made]
+    told = [one.gearbox if names.count(one.name) > 1 else "" for one in made]
+    listed = [replace(one, told_apart=name) for one, name in zip(made, told, strict=True)]
+    for done, candidate in enumerate(listed, start=1):
         scenario = scenario_of(candidate, study, seed=study.settings.seed)
         reason = beyond_the_drive(candidate, scenario, study)
         if reason:
@@ -81,7 +83,7 @@ def optimised(
             by_rule += loops.tried([study.settings.speed_loop])[0]
             tried += loops.searched()
         if progress is not None:
-            progress(done, len(boxes), candidate.name)
+            progress(done, len(listed), candidate.name)
     if not tried:
         reasons = "; ".join(f"{name}: {why}" for name, why in left_out.items())
         raise InputError(f"no speed loop within the bounds has the margin, or no drive can run ({reasons})")
