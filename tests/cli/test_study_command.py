@@ -26,7 +26,7 @@ def test_draws_are_answered_and_continued(tmp_path: Path) -> None:
             group, ["study", WEAR_RIG, "--draws", str(draws), "--store", store, "--workers", "1", *SMALL, *PINNED]
         )
         assert made.exit_code == 0, made.output
-        return made.output
+        return made.stdout
 
     first = run(2)
     assert first.startswith("bldc-12n14p 5:1 is the best drive: it is first in 100% of 2 draws (at least ")

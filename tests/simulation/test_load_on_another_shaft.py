@@ -13,7 +13,7 @@ from torquerig.catalog.reading import Catalog
 from torquerig.document import parse_document
 from torquerig.metrics.sizing.load_fidelity import reading_per_load
 from torquerig.metrics.truth_error import difference, true_load
-from torquerig.rig.turns import load_lever
+from torquerig.rig.load_lever import load_lever
 from torquerig.scenario.load_response import load_response
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario

@@ -7,8 +7,8 @@ import numpy as np
 from torquerig.errors import InputError
 from torquerig.filters.load_response import LoadResponse
 from torquerig.rig.assembly import Rig
+from torquerig.rig.load_lever import load_lever
 from torquerig.rig.terms import Load
-from torquerig.rig.turns import load_lever
 from torquerig.sensor_stages.amplifier import AmplifierLowPass
 from torquerig.simulation.simulator import SAMPLE_RATE
 from torquerig.simulation.twin.linear_twin import twin_of

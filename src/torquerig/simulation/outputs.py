@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from torquerig.recordings.recording import EFFORTS, Channel
 from torquerig.rig.assembly import Rig
+from torquerig.rig.load_lever import load_lever
 from torquerig.rig.parts import Probe
 from torquerig.rig.reading_place import reading_place
 from torquerig.rig.terms import Load
-from torquerig.rig.turns import load_lever
 from torquerig.simulation import kernel
 from torquerig.simulation.arrays import Outputs
 from torquerig.simulation.lower import Lowered

@@ -71,7 +71,7 @@ def test_more_draws_are_added_to_those_that_are_there(tmp_path: Path) -> None:
         ("study.duration=0.3 s", "its study.duration is 0.2 s, this study's is 0.3 s"),
         ("study.seed=2", "its study.seed is 1, this study's is 2"),
         ("operating_point.load.occupancy=7 %", "its operating_point.load"),
-        ("study.motors=[bldc-12n14p]", "its catalog entry HDS6A-0104A is not stated|its drives is|its study.motors is"),
+        ("study.motors=[bldc-12n14p]", "its drives is"),
     ],
 )
 def test_a_store_of_another_study_is_refused(tmp_path: Path, edit: str, said: str) -> None:
@@ -83,7 +83,7 @@ def test_a_store_of_another_study_is_refused(tmp_path: Path, edit: str, said: st
             continue
         from torquerig.cases.identity import refuse_other
 
-        with pytest.raises(InputError, match=f"holds another study: ({said})"):
+        with pytest.raises(InputError, match=f"holds another study: {said}"):
             refuse_other(there.read_text(), identity, folder=tmp_path)
 
 

@@ -11,8 +11,8 @@ from torquerig.metrics.figure import Figure
 from torquerig.metrics.sizing.open_data import Values, over_intervals
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.rig.assembly import Rig
+from torquerig.rig.load_lever import load_lever
 from torquerig.rig.terms import Inertia, Load, Spring
-from torquerig.rig.turns import load_lever
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.simulation.twin.linear_twin import twin_of
 from torquerig.simulation.twin.plant import load_input

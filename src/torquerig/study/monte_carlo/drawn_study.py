@@ -85,7 +85,7 @@ class DrawnStudy:
                 **_stated(_computed(study.document.data)),
                 "drives": ", ".join(self.drives),
                 "filter file": digest_of(json.dumps(study.filters.data, default=repr, sort_keys=True)),
-                **{f"catalog entry {name}": digest_of(text) for name, text in (motors | others).items()},
+                **{f"entry {name} of the catalog": digest_of(text) for name, text in (motors | others).items()},
                 "plan": plan if len(plan) <= LONGEST else f"{plan[:LONGEST]}... ({digest_of(plan)})",
             },
             values=[Column("drive", kind="str"), Column("draw", kind="int"), *quantile_columns(plan)],
