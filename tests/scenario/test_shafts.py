@@ -117,3 +117,44 @@ def test_the_lines_of_the_shipped_rigs_are_named_on_every_shaft():
     rig = read_scenario(read_document(path), catalog_for(path, ()), seed=1).rig
     assert orders(rig, "gear_mesh") == {"gear mesh of planetary": (18.0, 180.0), "belt mesh": (5.0, 50.0)}
     assert kinematics_of(rig).shaft_turns == {"motor": 10.0, "planetary": 2.5, "belt": 1.0}
+
+
+def dyno(**counts: int | None) -> Rig:
+    """The chain with a generator on its drum, at a twelfth of the motor's speed."""
+    generator = Motor(name="generator", after="drum", inertia=1e-3, torque_limit=5.0, **counts)
+    return chain() + generator
+
+
+def of_generator(rig: Rig) -> dict[str, tuple[float, float]]:
+    return {line.label: (line.motor_order, line.output_order) for line in kinematics_of(rig).lines(1) if line.at}
+
+
+def test_a_second_motor_has_its_lines_on_its_own_shaft():
+    # 12 slots, 5 pole pairs: LCM(12, 10) = 60 per turn; a turn of the drum is 1/12 of the motor and 1/2 of the sensor
+    assert of_generator(dyno(pole_pairs=5, slots=12)) == {
+        "generator cogging": pytest.approx((60 / 12, 30.0)),
+        "generator cogging tolerance slots": pytest.approx((12 / 12, 6.0)),
+        "generator cogging tolerance poles": pytest.approx((10 / 12, 5.0)),
+        "generator electrical": pytest.approx((5 / 12, 2.5)),
+        "generator six pulse": pytest.approx((30 / 12, 15.0)),
+    }
+    assert orders(dyno(pole_pairs=5, slots=12), "cogging")["cogging"] == pytest.approx((72.0, 432.0))
+
+
+def test_what_is_not_known_of_a_second_motor_is_named():
+    rig = dyno(pole_pairs=5, slots=None)
+    assert set(of_generator(rig)) == {
+        "generator cogging tolerance poles", "generator electrical", "generator six pulse",
+    }  # fmt: skip
+    assert kinematics_of(rig).left_out == {
+        "cogging": "slots of generator unknown", "cogging_tolerance_slots": "slots of generator unknown",
+    }  # fmt: skip
+
+
+def test_a_filter_chain_removes_the_lines_of_a_second_motor():
+    from torquerig.filters.chains.filter_chain import select_lines
+
+    rig = dyno(pole_pairs=5, slots=12)
+    chosen, left_out = select_lines(kinematics_of(rig), {"cogging": (1,)})
+    assert ([line.at for line in chosen], left_out) == (["", "generator"], ())
+    assert {line.at for line in kinematics_of(chain()).lines()} == {""}

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import isclose
 from typing import TYPE_CHECKING
 
 from torquerig.errors import InputError
 from torquerig.orders.kinematics.belt import Belt
 from torquerig.orders.kinematics.line_families import CAUSES
+from torquerig.orders.kinematics.motor_orders import TORQUE_FAMILIES, missing_counts, motor_orders
 from torquerig.orders.kinematics.shafts import LineSource, Shaft
 from torquerig.rig.leading_part import leading_motor, leading_part
 from torquerig.rig.parts.gear_stage import GearStage, gear_stages
+from torquerig.rig.parts.motor import Motor
 
 if TYPE_CHECKING:
     from torquerig.orders.kinematics.line_families import Family
@@ -28,6 +30,7 @@ class _Made:
     parts: list[str] = field(default_factory=list)
     open_gears: list[str] = field(default_factory=list)
     sources: list[LineSource] = field(default_factory=list)
+    missing: dict[Family, str] = field(default_factory=dict)
 
 
 def shafts_of(rig: Rig, *, turns: Callable[[str], float], to_output: float) -> tuple[Shaft, ...]:
@@ -60,12 +63,14 @@ def shafts_of(rig: Rig, *, turns: Callable[[str], float], to_output: float) -> t
     driven = "" if leader is None else _shaft_of(rig, leader)
     for one in made.values():
         one.sources += _bearings(rig, one, to_output)
+        _add_further_motors(rig, one, to_output)
         if not any(isclose(one.turns, other, rel_tol=1e-9) for other in (1.0, to_output)):
             one.sources.insert(0, _turn(f"{one.name} shaft", one.turns, to_output))
     name = {driven: "motor" if leading_motor(rig) is not None else leader}
     return tuple(
         Shaft(name=name.get(one.name) or one.name, ratio=one.turns, parts=tuple(one.parts),
-              sources=tuple(one.sources), open_gears=tuple(one.open_gears))
+              sources=tuple(one.sources), open_gears=tuple(one.open_gears),
+              missing=one.missing)
         for one in made.values()
     )  # fmt: skip
 
@@ -154,6 +159,24 @@ def _bearings(rig: Rig, shaft: _Made, to_output: float) -> list[LineSource]:
         for defect in rig.of_kind("bearing_defect")
         if defect.at in shaft.parts
     ]
+
+
+def _add_further_motors(rig: Rig, shaft: _Made, to_output: float) -> None:
+    """Add the lines of the motors on a shaft, but for the leading one: cogging, electrical period, torque pulses."""
+    leader = leading_motor(rig)
+    for motor in rig.parts_of(Motor):
+        if motor is leader or motor.name not in shaft.parts:
+            continue
+        known = motor_orders(motor.pole_pairs, motor.slots)
+        shaft.sources += [
+            replace(_on(family, known[family], shaft.turns, to_output, name=f"{motor.name} {family.replace('_', ' ')}",
+                        cause=f"{motor.name}: {CAUSES[family][0]}"), at=motor.name)
+            for family in TORQUE_FAMILIES if family in known
+        ]  # fmt: skip
+        for family, count in missing_counts(motor.pole_pairs, motor.slots).items():
+            if family in TORQUE_FAMILIES:
+                others = [shaft.missing[family]] if family in shaft.missing else []
+                shaft.missing[family] = " and ".join([*others, f"{count} of {motor.name} unknown"])
 
 
 def _turn(name: str, turns: float, to_output: float) -> LineSource:

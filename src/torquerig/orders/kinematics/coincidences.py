@@ -136,5 +136,5 @@ def _equal_orders(lines: tuple[KinematicLine, ...], motor_speed: float) -> tuple
     return tuple(
         EqualOrder(order, members[0].frequency(motor_speed), tuple(members))
         for order, members in groups.items()
-        if len({line.family for line in members}) > 1
+        if len({(line.family, line.at) for line in members}) > 1
     )

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import isfinite, lcm, pi, prod
+from math import isfinite, pi, prod
 from typing import NamedTuple
 
 from torquerig.errors import InputError
 from torquerig.orders.kinematics.line_families import CAUSES, FAMILIES, Family
+from torquerig.orders.kinematics.motor_orders import missing_counts, motor_orders
 from torquerig.orders.kinematics.shafts import OpenMesh, Shaft
 from torquerig.orders.kinematics.stage_kinds import ChainStage, Toothed, Untoothed, set_of_teeth, untoothed
 from torquerig.orders.kinematics.teeth import Planetary, Teeth
@@ -77,16 +78,12 @@ class Kinematics:
     @property
     def left_out(self) -> dict[Family, str]:
         """The families without lines, each with the missing data."""
-        missing: dict[Family, str] = {}
-        if self.pole_pairs is None:
-            missing |= dict.fromkeys(("cogging_tolerance_poles", "electrical", "six_pulse"), "pole pairs unknown")
-        if self.slots is None:
-            missing["cogging_tolerance_slots"] = "slots unknown"
-        if self.pole_pairs is None or self.slots is None:
-            reason = "slots unknown" if self.slots is None else "pole pairs unknown"
-            missing |= dict.fromkeys(("cogging_per_pole", "cogging", "slots_times_pole_pairs"), reason)
+        missing = {family: f"{count} unknown" for family, count in missing_counts(self.pole_pairs, self.slots).items()}
         if not self.has_motor:
             missing = dict.fromkeys(missing, "the rig has no motor")
+        for shaft in self.shafts:
+            for family, reason in shaft.missing.items():
+                missing[family] = " and ".join(one for one in (missing.get(family), reason) if one)
         if reason := self._unknown_teeth():
             missing["gear_mesh"] = reason
         return {family: missing[family] for family in FAMILIES if family in missing}
@@ -154,6 +151,8 @@ class KinematicLine:
         Whether equal planets cancel it in the torque; unequal planets do not cancel it completely.
     name : str
         The cause in a label, without the harmonic; empty for that of the family.
+    at : str
+        The part of the rig at which its torque acts, where it is a further motor; empty for the drive itself.
     """
 
     family: Family
@@ -164,6 +163,7 @@ class KinematicLine:
     source: str
     cancelled: bool = False
     name: str = ""
+    at: str = ""
 
     @property
     def label(self) -> str:
@@ -214,7 +214,7 @@ def _lines_of(kinematics: Kinematics, harmonics: int) -> tuple[KinematicLine, ..
         KinematicLine(
             one.family, harmonic, harmonic * one.motor, harmonic * one.output, one.cause, CAUSES[one.family][1],
             cancelled=_cancelled(one.stage, harmonic, harmonics),
-            name=one.name,
+            name=one.name, at=one.at,
         )
         for one in _fundamentals(kinematics)
         for harmonic in range(1, harmonics + 1)
@@ -222,7 +222,7 @@ def _lines_of(kinematics: Kinematics, harmonics: int) -> tuple[KinematicLine, ..
 
 
 class _Fundamental(NamedTuple):
-    """A fundamental: its orders [1/rev], cause, the stage of a mesh, and a name that replaces that of the family."""
+    """A fundamental: its orders [1/rev], cause, the stage of a mesh, a name in place of the family's, and its motor."""
 
     family: Family
     motor: float
@@ -230,6 +230,7 @@ class _Fundamental(NamedTuple):
     cause: str
     stage: Toothed | None = None
     name: str = ""
+    at: str = ""
 
 
 def _fundamentals(kinematics: Kinematics) -> Iterator[_Fundamental]:
@@ -237,23 +238,20 @@ def _fundamentals(kinematics: Kinematics) -> Iterator[_Fundamental]:
     ratio, p, slots = kinematics.ratio, kinematics.pole_pairs, kinematics.slots
     driven = "" if kinematics.has_motor else kinematics.input_name
     yield _Fundamental("shaft", 1 / ratio, 1.0, CAUSES["shaft"][0], name=driven if ratio == 1 else "")
-    motor_orders: dict[Family, int | None] = {
-        "motor": 1,
-        "cogging_per_pole": lcm(slots, 2 * p) // (2 * p) if p and slots else None,
-        "cogging": lcm(slots, 2 * p) if p and slots else None,
-        "cogging_tolerance_slots": slots,
-        "cogging_tolerance_poles": 2 * p if p else None,
-        "electrical": p,
-        "six_pulse": 6 * p if p else None,
-    }
-    for family, order in motor_orders.items():
-        if order is not None:
-            cause = f"imbalance or eccentricity of {driven}" if driven and family == "motor" else CAUSES[family][0]
-            yield _Fundamental(family, float(order), order * ratio, cause, name=driven if family == "motor" else "")
+    cause = f"imbalance or eccentricity of {driven}" if driven else CAUSES["motor"][0]
+    yield _Fundamental("motor", 1.0, ratio, cause, name=driven)
+    for family, order in motor_orders(p, slots).items():
+        yield _Fundamental(family, float(order), order * ratio, CAUSES[family][0])
     if kinematics.shafts:
         for source in (source for shaft in kinematics.shafts for source in shaft.sources):
             yield _Fundamental(
-                source.family, source.motor_order, source.output_order, source.cause, source.stage, source.name
+                source.family,
+                source.motor_order,
+                source.output_order,
+                source.cause,
+                source.stage,
+                source.name,
+                source.at,
             )
     else:
         yield from _meshes(kinematics)

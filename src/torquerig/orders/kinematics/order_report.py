@@ -42,8 +42,8 @@ class OrdersReport:
     better: BetterSpeed
 
     def fundamental(self, family: Family) -> KinematicLine | None:
-        """Return the first harmonic of ``family``, or None where it has no lines."""
-        found = (line for line in self.lines if line.family == family and line.harmonic == 1)
+        """Return the first harmonic of ``family``, or None without one; lines of further motors do not count."""
+        found = (line for line in self.lines if line.family == family and line.harmonic == 1 and not line.at)
         return next(found, None)
 
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -31,6 +32,8 @@ class LineSource:
         Its cause in a sentence.
     stage : Teeth or None
         Of a gear mesh: the stage, which determines the harmonics that planets cancel.
+    at : str
+        Of a motor's line: the motor; else empty.
     """
 
     family: Family
@@ -40,6 +43,7 @@ class LineSource:
     name: str
     cause: str
     stage: Teeth | None = None
+    at: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -55,9 +59,11 @@ class Shaft:
     parts : tuple of str
         What is fixed to it, in order.
     sources : tuple of LineSource
-        Lines that start on it, but for those of its own turn and of the motor's poles and slots.
+        Lines that start on it, but for those of its own turn and of the driving motor's poles and slots.
     open_gears : tuple of str
         Gears that mesh on it and whose teeth are not known.
+    missing : mapping of Family to str
+        Lines of further motors on it that unknown poles or slots leave out, each with the reason.
     """
 
     name: str
@@ -65,6 +71,7 @@ class Shaft:
     parts: tuple[str, ...] = ()
     sources: tuple[LineSource, ...] = ()
     open_gears: tuple[str, ...] = ()
+    missing: Mapping[Family, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True)

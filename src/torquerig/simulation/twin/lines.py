@@ -50,7 +50,7 @@ def order_lines(
 ) -> tuple[OrderLine, ...]:
     """Return the lines of the rig's effects, and those of ``kinematic`` whose order no effect has.
 
-    A kinematic line is taken to enter at the motor, its amplitude unknown. Blade pulses count by their first harmonic.
+    A kinematic line is taken to enter at its motor, its amplitude unknown. Blade pulses count by their first harmonic.
     """
     motor = lowered.leader()
     turns = {node: abs(ratio) for node, ratio in rig.speed_ratios(motor).items()}
@@ -61,7 +61,9 @@ def order_lines(
         if round(line.motor_order, 9) not in known:
             name = line.label
             name += f" x{line.harmonic}" if line.harmonic > 1 else ""
-            found.append(OrderLine(name, line.motor_order, f"torque on {motor}", None))
+            found.append(
+                OrderLine(name, line.motor_order, f"torque on {rig.node(line.at) if line.at else motor}", None)
+            )
     return tuple(sorted(found, key=lambda line: line.order))
 
 
