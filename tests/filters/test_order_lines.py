@@ -1,5 +1,6 @@
 """Stages that follow the angle: order band-stop and weighed lines, under wander, in ramps, beside broadband load."""
 
+from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -7,7 +8,10 @@ import pytest
 
 from torquerig.errors import InputError, RecordingError
 from torquerig.filters.block_regression import block_amplitudes, blocks_of
+from torquerig.filters.chains.filter_chain import Chain
+from torquerig.filters.filter_effect import chain_effect
 from torquerig.filters.order_bandstop import OrderBandstop
+from torquerig.filters.removed_lines import no_line_text
 from torquerig.filters.weighted_lines import WeightedLines
 from torquerig.orders.analysis.order_envelope import hop_sums, hops_of, resolved_orders, without_lines
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
@@ -58,6 +62,19 @@ def test_noise_elsewhere_is_left_to_a_tenth(stage):
     wrong = stage.apply(recording(2.0 + noise + disturbance(angle), angle)).torque() - 2.0 - noise
     # the Hann bands take sqrt(22 lines x 1.5 x 2 / 6 s / 2500 Hz) = 0.07 of the noise; a block of 20 s takes less
     assert rms(wrong) < 0.1 * rms(noise)
+
+
+@pytest.mark.parametrize("amplitude", [0.0, 0.5])
+def test_a_chain_that_removes_no_line_names_the_tested_orders(amplitude):
+    angle = turned(0.0)
+    load = 0.3 * np.random.default_rng(7).normal(size=AT.size)
+    before = recording(2.0 + load + disturbance(angle, amplitude), angle)
+    lines = tuple(line for line in LINES if line.family in ("cogging", "six_pulse"))
+    chain = Chain(name="order_lines", stages=(WeightedLines(lines=lines),))
+    effect = chain_effect(before, chain.apply(before), ratio=5, lines=lines)
+    expected = f"no line was removed; of {len({line.motor_order for line in lines})} tested orders none has more than 4"
+    assert no_line_text(chain, effect).startswith(expected) == (amplitude == 0)
+    assert no_line_text(replace(chain, stages=()), effect) == ""
 
 
 def test_weak_lines_stay_and_no_load_is_taken_for_them():

@@ -11,6 +11,7 @@ import click
 from torquerig.filters.chains.filter_chain import Chain
 from torquerig.filters.counted_periods import few_periods_text
 from torquerig.filters.filter_effect import FilterEffect
+from torquerig.filters.removed_lines import no_line_text
 from torquerig.plain_table import fixed, grid, wrapped
 from torquerig.recordings.recording import Recording
 
@@ -51,6 +52,8 @@ def print_effects(
         _print_families(chain, effect, number, unit=unit)
         if few := few_periods_text(chain.lines, effect.motor_turns, ratio=ratio):
             click.echo(wrapped(f"{chain.name}: {few}"))
+        if none := no_line_text(chain, effect):
+            click.echo(wrapped(f"{chain.name}: {none}"))
         if effect.moves_mean:
             change = f"from {number(effect.mean_before)} to {number(effect.mean_after)} {unit}"
             click.echo(f"torquerig: warning: {path}: {chain.name} changes the mean {change}; {_TOO_SHORT}", err=True)

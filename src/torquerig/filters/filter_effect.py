@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from torquerig.recordings.recording import Recording
 
 LINE_HALF_WIDTH = 0.5  # Hz, as wide as the reference report's band-stops
+ROUNDING = 1e-9  # [1] of the standard deviation: lines subtracted and added again sum a million samples at 1e-15 each
 SEEN_IN_MEAN = 0.05  # [1] of the standard deviation: the standard error of a mean of 400 independent values
 
 
@@ -52,6 +53,8 @@ class FilterEffect:
         Empty for a run that is not steady, whose lines have no constant frequency.
     motor_turns : float or None
         Turns of the motor in either direction [rev]; None where no speed is known.
+    change_rms : float
+        Root of the mean square of what the chain took away or added [N m].
     """
 
     std_before: float
@@ -63,6 +66,7 @@ class FilterEffect:
     speed_origin: str
     levels: tuple[LineLevel, ...]
     motor_turns: float | None = None
+    change_rms: float = 0.0
 
     @property
     def std_reduction_percent(self) -> float:
@@ -78,6 +82,11 @@ class FilterEffect:
     def mean_change_percent(self) -> float:
         """The increase of the mean [%]; 0 by construction for a chain that keeps the mean."""
         return _reduction(self.mean_after, self.mean_before, of=self.mean_before)
+
+    @property
+    def changes_nothing(self) -> bool:
+        """Whether torque before and after differ by rounding errors only: 1e-9 of the standard deviation."""
+        return self.change_rms <= ROUNDING * self.std_before
 
     @property
     def moves_mean(self) -> bool:
@@ -174,6 +183,7 @@ def _effect(
         speed_origin=origin,
         levels=levels,
         motor_turns=None if speed is None else float(np.abs(speed).sum() / before.sample_rate / (2 * np.pi)),
+        change_rms=float(np.sqrt(np.mean((last - first) ** 2))),
     )
 
 

@@ -35,6 +35,7 @@ def joined_effect(effects: Sequence[FilterEffect], samples: Sequence[int]) -> Fi
         energy_after=_sum([one.energy_after for one in effects]),
         levels=_levels(effects, weights),
         motor_turns=_sum([one.motor_turns for one in effects]),
+        change_rms=float(np.sqrt(weights @ np.array([one.change_rms for one in effects]) ** 2)),
     )
 
 

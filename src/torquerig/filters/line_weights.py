@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-_LEAST_RATIO = 4.0  # [1] power of a line over the load near it, at least; noise alone reaches it once in 50
+LEAST_RATIO = 4.0  # [1] power of a line over the load near it, at least; noise alone reaches it once in 50
 _NEAREST, _FARTHEST = 2, 12  # bins of 1 / block on either side of a line, from which the load is estimated
 _FEWEST_HOPS = 4 * _FARTHEST  # hops of a block, at least, so that these bins are well below half the hop rate
 
@@ -48,7 +48,7 @@ def weights(residual: Floats, fitted: Floats, hops: Hops, orders: Floats, blocks
             in_phase, quadrature = hop_sums(residual, hops, orders)
             sums = in_phase - 1j * quadrature
         load[:, index] = _by_hops(sums[:, first:last], hops, orders, first, last)
-    return np.where(power > _LEAST_RATIO * load, 1 - load / np.maximum(power, 1e-300), 0.0)
+    return np.where(power > LEAST_RATIO * load, 1 - load / np.maximum(power, 1e-300), 0.0)
 
 
 def _by_hops(sums: NDArray[np.complex128], hops: Hops, orders: Floats, first: int, last: int) -> Floats:
