@@ -108,6 +108,24 @@ def test_orders_count_from_the_part_whose_motion_is_imposed():
     assert orders(rig, "intermediate")["rotor shaft"] == pytest.approx((4.0, 4.0))
 
 
+def test_a_motor_behind_a_gear_of_the_imposed_part_has_its_lines_on_its_own_shaft():
+    rig = Rig(
+        (
+            Motor(name="drive", inertia=1e-3, torque_limit=5.0, pole_pairs=4, slots=9),
+            Gear(name="gear", after="drive", ratio=4.0, teeth=(Spur(15, 60),), **SPRING),
+            TorqueSensor(name="torque_sensor", after="gear", **SPRING, **SENSOR),
+            Body(name="propeller", after="torque_sensor", inertia=0.01),
+            ImposedMotion(name="turned", at="propeller"),
+        )
+    )
+    known = kinematics_of(rig)
+    # orders count from the propeller, of which the motor makes 4 turns; LCM(9, 8) = 72 per turn of the motor
+    assert orders(rig, "cogging") == {"drive cogging": pytest.approx((288.0, 288.0))}
+    assert orders(rig, "electrical") == {"drive electrical": pytest.approx((16.0, 16.0))}
+    assert [one.name for one in known.shafts] == ["drive", "propeller"]
+    assert set(known.left_out) == {"cogging_per_pole", "slots_times_pole_pairs"}
+
+
 def test_the_lines_of_the_shipped_rigs_are_named_on_every_shaft():
     from torquerig.catalog.search import catalog_for
     from torquerig.document import read_document

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import pi, prod
+from math import isclose, pi, prod
 
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.orders.kinematics.stage_kinds import ChainStage, DrivenBackwards, Untoothed
@@ -65,12 +65,14 @@ def kinematics_of(rig: Rig) -> Kinematics:
 
     A stage without known teeth counts by its ratio, so that the mesh orders of the other stages are right. On a rig
     without a motor the part whose motion is imposed takes the motor's place. Where what is measured moves in a line,
-    the shaft of the linear drive takes the place of the output shaft.
+    the shaft of the linear drive takes the place of the output shaft. Further motors, and one that does not turn with
+    the part whose motion is imposed, have their lines in the shafts.
     """
     motor, read = leading_motor(rig), reading_place(rig)
     crossed = tuple(stage for stage in stages_to(rig, read) if stage.is_between_shafts)
     known = any(stage.part.teeth for stage in crossed)
     leader, ratio = leading_part(rig), abs(prod(stage.turns for stage in crossed))
+    motor = motor if motor is not None and turns_with_leader(rig, motor.name) else None
     return Kinematics(
         pole_pairs=None if motor is None else motor.pole_pairs,
         slots=None if motor is None else motor.slots,
@@ -80,6 +82,11 @@ def kinematics_of(rig: Rig) -> Kinematics:
         input_name="motor" if motor is not None or leader is None else leader,
         has_motor=motor is not None,
     )
+
+
+def turns_with_leader(rig: Rig, name: str) -> bool:
+    """Return whether a part turns at the speed of the driving part."""
+    return isclose(turns_to(rig, name), 1.0, rel_tol=1e-9)
 
 
 def gears_to_sensor(rig: Rig) -> tuple[GearStage, ...]:

@@ -66,7 +66,8 @@ def shafts_of(rig: Rig, *, turns: Callable[[str], float], to_output: float) -> t
         _add_further_motors(rig, one, to_output)
         if not any(isclose(one.turns, other, rel_tol=1e-9) for other in (1.0, to_output)):
             one.sources.insert(0, _turn(f"{one.name} shaft", one.turns, to_output))
-    name = {driven: "motor" if leading_motor(rig) is not None else leader}
+    own = next((motor.name for motor in rig.parts_of(Motor) if motor is leading_motor(rig)), "")
+    name = {driven: "motor" if driven in made and own in made[driven].parts else leader}
     return tuple(
         Shaft(name=name.get(one.name) or one.name, ratio=one.turns, parts=tuple(one.parts),
               sources=tuple(one.sources), open_gears=tuple(one.open_gears),
@@ -165,7 +166,8 @@ def _add_further_motors(rig: Rig, shaft: _Made, to_output: float) -> None:
     """Add the lines of the motors on a shaft, but for the leading one: cogging, electrical period, torque pulses."""
     leader = leading_motor(rig)
     for motor in rig.parts_of(Motor):
-        if motor is leader or motor.name not in shaft.parts:
+        leads = motor is leader and isclose(shaft.turns, 1.0, rel_tol=1e-9)
+        if leads or motor.name not in shaft.parts:
             continue
         known = motor_orders(motor.pole_pairs, motor.slots)
         shaft.sources += [

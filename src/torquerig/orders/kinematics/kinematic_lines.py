@@ -80,7 +80,9 @@ class Kinematics:
         """The families without lines, each with the missing data."""
         missing = {family: f"{count} unknown" for family, count in missing_counts(self.pole_pairs, self.slots).items()}
         if not self.has_motor:
-            missing = dict.fromkeys(missing, "the rig has no motor")
+            elsewhere = {source.family for shaft in self.shafts for source in shaft.sources if source.at}
+            reason = f"no motor turns with {self.input_name}" if elsewhere else "the rig has no motor"
+            missing = {family: reason for family in missing if family not in elsewhere}
         for shaft in self.shafts:
             for family, reason in shaft.missing.items():
                 missing[family] = " and ".join(one for one in (missing.get(family), reason) if one)
