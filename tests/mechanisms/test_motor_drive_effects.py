@@ -263,7 +263,7 @@ def test_dead_time_s_closed_form_is_what_the_phases_make_of_it(speed_rpm: float,
 def test_back_emf_harmonics_are_what_the_phases_make_of_them(speed_rpm: float, shares: dict[int, float]) -> None:
     """Load and loop together, in size and phase: within 5 % of the static share while the loop is fast."""
     rig = driven(BackEmfHarmonics(name="it", shares=shares), speed_rpm=speed_rpm / 10)
-    stated = MotorPhases(**{**PHASES.__dict__, "emf_harmonics": shares})
+    stated = replace(PHASES, emf_harmonics=shares)
     run = as_run(rig, stated.field_oriented(), stated.machine())
     for order, expected in waves(rig.part("it"), rig).items():
         assert abs(line_of(run, int(order)) - expected) < 0.05 * abs(shares.get(7, 0.0) - shares[5])

@@ -10,7 +10,7 @@ from typing import Any
 
 from torquerig.document import Document, parse_document
 from torquerig.errors import InputError, TorquerigError, did_you_mean
-from torquerig.scenario.sections import SECTIONS
+from torquerig.scenario.section_names import SECTIONS
 
 
 @dataclass(frozen=True)

@@ -14,12 +14,12 @@ from torquerig.scenario.checks.misplaced import place_of
 from torquerig.scenario.conditions.operating_point import OperatingPoint
 from torquerig.scenario.kinds import KINDS
 from torquerig.scenario.numbers.uncertain import Resolved, resolved
+from torquerig.scenario.section_names import SECTIONS
 from torquerig.section_schema import schema_of
 
 if TYPE_CHECKING:
     from torquerig.scenario.study_section import Settings
 
-SECTIONS = ("scenario", "operating_point", "recording", "measured", "rig", "study")
 Section = TypeVar("Section", bound=BaseModel)
 
 

@@ -39,7 +39,7 @@ def outputs_of(rig: Rig, lowered: Lowered) -> tuple[Output, ...]:
     listed = [
         place_output(rig, lowered, rig.measured, name=f"true_sensor_{quantity}_{ending}"),
         Output(f"true_load_{effort[1]}", kernel.OPPOSING_TORQUE, part, effort[0], effort[2],
-               factor=load_lever(rig, lowered.nodes[part])),
+               factor=1.0 if part == len(lowered.nodes) else load_lever(rig, lowered.nodes[part])),
         Output(_named("motor", driven.place), kernel.ANGLE, motor, driven.motor[2], driven.place[2]),
         Output(_named("motor", driven.rate), kernel.SPEED, motor, driven.motor[1], driven.rate[2]),
         Output(_named("output", rate), kernel.SPEED, part, rate[0], rate[2]),
