@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -17,8 +18,13 @@ from torquerig.scenario.overrides import overridden
 from torquerig.study.candidates import compared_gearboxes, left_out_gearboxes, refuse_pinned
 from torquerig.study.definition import open_study
 
+if TYPE_CHECKING:
+    _PairType = click.ParamType[tuple[float, float]]
+else:
+    _PairType = click.ParamType  # generic from click 8.3 on
 
-class _Range(click.ParamType[tuple[float, float]]):
+
+class _Range(_PairType):
     """Two numbers, written ``5..60``."""
 
     name = "LOW..HIGH"
