@@ -40,7 +40,7 @@ def test_draws_are_answered_and_continued(tmp_path: Path) -> None:
     [
         (["study", WEAR_RIG, "--draws", "0"], "0 is not in the range x>=1"),
         (["study", WEAR_RIG, "--sensitivity", "sobol", "--draws", "3", *SMALL], "needs a power of two; write 2 or 4"),
-        (["study", WEAR_RIG, "--cluster", "tcp://127.0.0.1:1", "--workers", "2"], "a cluster has its own"),
+        (["study", WEAR_RIG, "--cluster", "tcp://127.0.0.1:1", "--workers", "2"], "a cluster has a fixed number"),
         (["optimise", WEAR_RIG, "--crossover", "60..5", *SMALL], "the crossover from 60 to 5 Hz is no range"),
         (["optimise", WEAR_RIG, "--crossover", "5-60", *SMALL], "'5-60' is no range; write both ends, such as 5..60"),
         (["optimise", WEAR_RIG, "--gearbox", "reference-5-2", *SMALL], "did you mean 'reference-5-1'"),

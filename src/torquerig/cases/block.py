@@ -17,7 +17,7 @@ from torquerig.errors import TorquerigError
 
 @dataclass(frozen=True)
 class Block:
-    """Cases that one worker gets at once; ``tried`` counts how often they were started in vain as this block."""
+    """Cases that one worker gets at once; ``tried`` counts how often they were started without an answer."""
 
     cases: Sequence[Case]
     tried: int = 0

@@ -1,6 +1,6 @@
 """What runs on a cluster: in each Dask worker a plugin with a worker process for each of its threads.
 
-The work itself is in processes of its own, as on one machine, so that a case that dies or never ends is found there,
+The work itself is in further processes, as on one machine, so that a case that dies or never ends is found there,
 and compiled code cannot keep Dask from answering its scheduler.
 """
 

@@ -17,7 +17,7 @@ from torquerig.cases.worker import Worker, packed, started_worker
 from torquerig.errors import InputError
 
 LONGEST_WAIT = 1.0  # s, between looks at whether a process that keeps its pipe open is still alive
-STARTS_IN_VAIN = 3  # workers in a row that die before they have their inputs: then there is memory for fewer only
+DEAD_STARTS = 3  # workers in a row that die before they have their inputs: then there is memory for fewer only
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class ProcessPool:
     limits: Limits
     idle: float | None = None  # s without a block after which a worker ends
     workers: list[Worker] = field(default_factory=list)
-    starts_in_vain: int = 0
+    dead_starts: int = 0
     has_compiled: bool = False
 
     def start_one(self) -> None:
@@ -102,7 +102,7 @@ class ProcessPool:
                 outcome = worker.heard()
             except EOFError:
                 return self._replaced(worker, _death_of(worker))
-            self.starts_in_vain *= not worker.is_ready
+            self.dead_starts *= not worker.is_ready
             self.has_compiled = self.has_compiled or outcome is not None
             return outcome
         if time.monotonic() > worker.deadline and worker.block is not None:
@@ -112,11 +112,11 @@ class ProcessPool:
         return None
 
     def _replaced(self, worker: Worker, error: str) -> Outcome | None:
-        """Start another worker in place of one, but where starts are in vain; the others go on then."""
+        """Start another worker in place of one, but where new ones die at once; the others go on then."""
         self.workers.remove(worker)
         worker.end()
-        self.starts_in_vain += not worker.is_ready
-        if self.starts_in_vain < STARTS_IN_VAIN:
+        self.dead_starts += not worker.is_ready
+        if self.dead_starts < DEAD_STARTS:
             self.start_one()
         elif not self.workers:
             raise InputError(

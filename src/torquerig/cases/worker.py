@@ -1,6 +1,6 @@
 """A process that works on one block after the other, and the handle that its parent has of it.
 
-Each has a pipe of its own and no lock with anyone, so that it can be killed at any moment without harm to others.
+Each has a separate pipe and no lock with anyone, so that it can be killed at any moment without harm to others.
 """
 
 from __future__ import annotations

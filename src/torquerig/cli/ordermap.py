@@ -149,7 +149,7 @@ def _slow_output(turns: np.ndarray, kinematics: Kinematics) -> str:
     if turns[-1] >= FEWEST_TURNS or per_turn == 1:
         return ""
     return (
-        f". The output shaft turns fewer than {FEWEST_TURNS:g} times: its own low orders cannot be seen. The {name} "
+        f". The output shaft turns fewer than {FEWEST_TURNS:g} times: its low orders cannot be seen. The {name} "
         f"turns {turns[-1] * per_turn:.4g} times"
     )
 

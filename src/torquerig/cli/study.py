@@ -53,7 +53,7 @@ def command(
     from torquerig.study.monte_carlo.running import run_design, run_draws
 
     if cluster is not None and workers is not None:
-        raise click.UsageError("--workers is for this machine; a cluster has its own, so leave one of the two out")
+        raise click.UsageError("--workers is for this machine; a cluster has a fixed number; leave one of the two out")
     document = overridden(read_document(scenario), settings)
     study = open_study(document, catalog_for(scenario, catalogs))
     drawn, not_compared = drawn_study(study), wrapped(left_out_gearboxes(study))

@@ -1,4 +1,4 @@
-"""The names of the sections of a scenario; a module of its own, because the command line needs nothing else of them."""
+"""The names of the sections of a scenario; a separate module, because the command line needs nothing else of them."""
 
 from __future__ import annotations
 

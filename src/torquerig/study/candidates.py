@@ -118,7 +118,7 @@ def left_out_gearboxes(study: Study) -> str:
         return ""
     return (
         f"Not compared: {', '.join(others)}. {study.document.place(('rig', stage, 'ratio'))}: {part['ratio']:g} is "
-        f"stated beside the catalog entry {part['catalog']} and fixes the gearbox; leave the ratio out to compare all "
+        f"stated next to the catalog entry {part['catalog']} and fixes the gearbox; leave the ratio out to compare all "
         "gearboxes of the study."
     )
 

@@ -14,6 +14,7 @@ from torquerig.rig.reading_place import reading_place
 from torquerig.scenario.kinematics import stages_to, torque_gain, turns_to
 from torquerig.scenario.mean_load import mean_load
 from torquerig.scenario.model import Scenario
+from torquerig.simulation.inputs import Span
 from torquerig.study.candidates import Candidate, scenario_of
 from torquerig.study.definition import Study
 from torquerig.study.exchanged_data import is_new_stage, look_up_stage
@@ -67,6 +68,19 @@ def planned_drive(candidate: Candidate, scenario: Scenario, study: Study) -> Pla
         return PlannedDrive(result=result, samples=())
     further = (scenario_of(candidate, study, seed=seed + number) for number in range(1, draws + 1))
     return PlannedDrive(result=result, samples=(scenario, *further))
+
+
+def sample_span(scenario: Scenario, study: Study, *, number: int = 0, settling: float = 0.0) -> Span:
+    """Return length, load, settling, wander and rate of a sample: the same for all samples, phases by its number.
+
+    It settles as long as the scenario and the study's speed loop ask for, at least ``settling`` [s].
+    """
+    settings = study.settings
+    return Span.of(
+        duration=settings.duration, seed=settings.seed, rate=scenario.recording.sample_rate,
+        settling=max(settling, scenario.recording.settling, settling_of(settings.speed_loop)),
+        wander=scenario.operating_point.slow_speed_wander, phase_seed=settings.seed + number if number else None,
+    )  # fmt: skip
 
 
 def settling_of(rule: SpeedLoopRule) -> float:

@@ -20,13 +20,12 @@ from torquerig.metrics.truth_error import TRUE_LOADS, difference, truth_error
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
-from torquerig.scenario.model import Scenario
 from torquerig.simulation.batch_parts import BatchRun
 from torquerig.simulation.inputs import Span
 from torquerig.simulation.ready import ready
 from torquerig.simulation.simulator import stepped
 from torquerig.study.definition import Study
-from torquerig.study.planned_drive import PlannedDrive, settling_of
+from torquerig.study.planned_drive import PlannedDrive, sample_span
 from torquerig.study.preflight import margin_of
 from torquerig.study.results import ChainResult, DriveResult
 from torquerig.study.settings import metrics_of
@@ -77,7 +76,7 @@ class DriveSamples:
         for number, left_out in self._wanted():
             scenario = self.planned.samples[number]
             run = BatchRun.of(
-                _without(scenario.rig, left_out), self._span(scenario, number),
+                _without(scenario.rig, left_out), sample_span(scenario, self.study, number=number),
                 staged=left_out == WHOLE or self._filters_both(),
             )  # fmt: skip
             yield SampleRun(drive=self.row, number=number, left_out=left_out, run=run)
@@ -115,7 +114,7 @@ class DriveSamples:
             self.planned.result, shares=self._shares, load_path=load_path(first.rig), loop=margin_of(first, study),
             chains=chains,
             duration=study.settings.duration,
-            simulated=partial(_simulated_again, first.rig, self._span(first, 0), first.title),
+            simulated=partial(_simulated_again, first.rig, sample_span(first, study), first.title),
             disturbance=_figure([sample.disturbance for sample in samples], assumed, unit=unit),
         )  # fmt: skip
 
@@ -125,15 +124,6 @@ class DriveSamples:
 
     def _filters_both(self) -> bool:
         return "residual_disturbance" in metrics_of(self.study.settings)
-
-    def _span(self, scenario: Scenario, number: int) -> Span:
-        """Return length, load, settling, wander and rate: the same for all drives and samples; phases by the sample."""
-        settings = self.study.settings
-        return Span.of(
-            duration=settings.duration, seed=settings.seed, rate=scenario.recording.sample_rate,
-            settling=max(scenario.recording.settling, settling_of(settings.speed_loop)),
-            wander=scenario.operating_point.slow_speed_wander, phase_seed=settings.seed + number if number else None,
-        )  # fmt: skip
 
     def _measure(self, number: int) -> None:
         sample, scenario = self._samples[number], self.planned.samples[number]
@@ -171,7 +161,7 @@ def _simulated_again(rig: Rig, span: Span, title: str) -> Recording:
 
 
 def _held(recording: Recording, run: SampleRun) -> Recording:
-    """Return what is needed of a recording, in memory of its own: that of the batch can be freed."""
+    """Return what is needed of a recording, copied: the memory of the batch can be freed."""
     truths = (*SENSED, *TRUE_LOADS) if run.run.staged or (run.number == 0 and run.left_out == QUIET) else SENSED
     return replace(
         recording,

@@ -55,7 +55,7 @@ class Design:
         return f"{self.method}{rows}: {', '.join(self.names)}"
 
     def cases(self, drawn: DrawnStudy) -> list[Case]:
-        """Return the cases: of each drive one for each combination of its own values, where it first appears."""
+        """Return the cases: of each drive one for each combination of its values, where it first appears."""
         seed, drives = drawn.study.settings.seed, list(self.of_drive)
         return [
             Case(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -13,16 +13,16 @@ from torquerig.cases.case import Scalar
 from torquerig.catalog.chosen_draws import ChosenDraws
 from torquerig.errors import InputError
 from torquerig.filters.chains.all_chains import filtered_by
-from torquerig.metrics.shares import DISTURBANCES, sensed
+from torquerig.metrics.shares import sensed
 from torquerig.metrics.truth_error import truth_error
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.model import Scenario
 from torquerig.simulation.batch import simulate_part
 from torquerig.simulation.batch_parts import BatchRun, alike
-from torquerig.simulation.inputs import Span
+from torquerig.simulation.true_lines import without_lines
 from torquerig.study.candidates import scenario_of
 from torquerig.study.monte_carlo.drawn_study import DrawnStudy, error_column, residual_column
-from torquerig.study.planned_drive import settling_of
+from torquerig.study.planned_drive import sample_span
 from torquerig.study.preflight import beyond_the_drive
 
 Row = Mapping[str, Scalar]
@@ -66,16 +66,10 @@ def _drawn(drawn: DrawnStudy, case: Case) -> _Drawn | Row | Failed:
     reason = beyond_the_drive(candidate, scenario, study)
     if reason:
         return {"out_of_reach": reason}
-    settings, rig = study.settings, scenario.rig
-    span = Span.of(
-        duration=settings.duration, seed=settings.seed, rate=scenario.recording.sample_rate,
-        settling=max(scenario.recording.settling, settling_of(settings.speed_loop)),
-        wander=scenario.operating_point.slow_speed_wander,
-        phase_seed=None if case.seed == settings.seed else case.seed,
-    )  # fmt: skip
-    runs = [BatchRun.of(rig, span)]
+    span = sample_span(scenario, study, number=case.seed - study.settings.seed)
+    runs = [BatchRun.of(scenario.rig, span)]
     if drawn.metrics & {"disturbance", "residual_disturbance"}:
-        quiet = replace(rig, parts=tuple(part for part in rig.parts if part.group not in DISTURBANCES))
+        quiet = without_lines(scenario.rig)
         runs.append(BatchRun.of(quiet, span, staged="residual_disturbance" in drawn.metrics))
     return _Drawn(scenario, tuple(runs))
 

@@ -18,7 +18,7 @@ from torquerig.study.settings import metrics_of
 
 RATED_AFTERWARDS = ("requirements", "criteria", "draws", "all_points")  # of a study
 LONGEST = 60  # characters of a value that an identity holds as text
-MOST = 100_000_000  # draws; the number of a case holds the drive beside it
+MOST = 100_000_000  # draws; the number of a case holds the drive too
 
 
 @dataclass(frozen=True)

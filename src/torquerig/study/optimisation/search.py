@@ -17,13 +17,13 @@ from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario
 from torquerig.simulation.batch import simulate_part
 from torquerig.simulation.batch_parts import BatchRun, alike
-from torquerig.simulation.inputs import Draws, Span
+from torquerig.simulation.inputs import Draws
 from torquerig.study.candidates import Candidate, candidate_of, loop_tuned, scenario_of
 from torquerig.study.definition import Study
 from torquerig.study.loop_margin import loop_margin
 from torquerig.study.optimisation.bounds import Bounds
 from torquerig.study.optimisation.tried import Tried
-from torquerig.study.planned_drive import planned_drive, settling_of
+from torquerig.study.planned_drive import planned_drive, sample_span, settling_of
 from torquerig.study.preflight import beyond_the_drive
 from torquerig.study.settings import SpeedLoopRule
 
@@ -55,7 +55,7 @@ def optimised(
 ) -> Optimum:
     """Return everything that was tried for a motor on each gearbox.
 
-    Each gearbox has its own search over crossover and integral corner, on a logarithmic scale, for the least reading
+    Each gearbox has a search over crossover and integral corner, on a logarithmic scale, for the least reading
     error behind any filter. All runs have one load and one settling, that of the slowest loop within the bounds. The
     drive has the values of the study's seed; so the optimum is that of one draw.
 
@@ -71,8 +71,8 @@ def optimised(
     left_out: dict[str, str] = {}
     made = [candidate_of(study, motor=motor, gearbox=box) for box in bounds.gearboxes or ("",)]
     names = [one.name for one in made]
-    told = [one.gearbox if names.count(one.name) > 1 else "" for one in made]
-    listed = [replace(one, told_apart=name) for one, name in zip(made, told, strict=True)]
+    stages = [one.gearbox if names.count(one.name) > 1 else "" for one in made]
+    listed = [replace(one, told_apart=name) for one, name in zip(made, stages, strict=True)]
     for done, candidate in enumerate(listed, start=1):
         scenario = scenario_of(candidate, study, seed=study.settings.seed)
         reason = beyond_the_drive(candidate, scenario, study)
@@ -99,12 +99,7 @@ class _Loops:
         alone = replace(study, settings=study.settings.model_copy(update={"draws": 0}))
         self.price = planned_drive(candidate, scenario, alone).result.margins["price"].value
         slowest = _rule(bounds.crossover[0], bounds.integral_corner[0])
-        rules = (slowest, study.settings.speed_loop)
-        self.span = Span.of(
-            duration=study.settings.duration, seed=study.settings.seed, rate=scenario.recording.sample_rate,
-            settling=max(scenario.recording.settling, *(settling_of(rule) for rule in rules)),
-            wander=scenario.operating_point.slow_speed_wander,
-        )  # fmt: skip
+        self.span = sample_span(scenario, study, settling=settling_of(slowest))
 
     def searched(self) -> list[Tried]:
         """Return all loops with the margin that the search came by."""
