@@ -69,6 +69,11 @@ class Estimate:
         return self.value is None and self.low is None and not self.choices
 
     @property
+    def open(self) -> bool:
+        """Whether a sample of the value is random: an interval, a choice, or a value with a standard deviation."""
+        return self.low is not None or bool(self.choices) or bool(self.rel_sd)
+
+    @property
     def bounds(self) -> tuple[float, float]:
         """Lowest and highest possible value [SI]; one standard deviation around it where stated; NaN if unknown."""
         if self.choices:

@@ -122,3 +122,11 @@ def test_two_values_and_two_motors_are_drawn_independently():
     one, other = CATALOG.motor("HDS60-0104A"), CATALOG.motor("ESM06X-401-302")
     assert abs(quantile(one, "rated_current") - quantile(one, "torque_constant")) > 1e-9
     assert abs(quantile(one, "rated_current") - quantile(other, "rated_current")) > 1e-9
+
+
+def test_a_changed_copy_of_an_entry_lists_its_new_values():
+    motor = CATALOG.motor("HDS6A-0104A")
+    before = dict(estimates(motor))
+    copy = motor.model_copy(update={"mass": Estimate(7.0, evidence="DOC", source="test", unit="kg")})
+    assert dict(estimates(copy))["mass"].value == 7.0
+    assert dict(estimates(motor)) == before

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Any
+from functools import cached_property
+from typing import Annotated, Any, Self
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StrictBool, StringConstraints, field_validator
 
@@ -17,6 +18,17 @@ class Record(BaseModel):
     """A frozen part of a YAML file; an unknown key is an error."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
+
+    @cached_property
+    def listed(self) -> tuple[tuple[str, Estimate], ...]:
+        """Each value with its dotted name in schema order; listed once, for a record is never changed in place."""
+        return tuple(pair for field in type(self).model_fields for pair in _within(getattr(self, field), field))
+
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """Return a copy with other fields, whose values are listed anew."""
+        made = super().model_copy(update=update, deep=deep)
+        made.__dict__.pop("listed", None)
+        return made
 
 
 class Evidenced(Record):
@@ -90,17 +102,16 @@ def counts_of(estimate: Estimate) -> tuple[int, ...]:
     return () if estimate.value is None else (int(estimate.value),)
 
 
-def estimates(record: Record, prefix: str = "") -> Iterator[tuple[str, Estimate]]:
-    """Yield each value of an entry with its dotted name, such as ``ripple.cogging_native``, in schema order."""
-    for field in type(record).model_fields:
-        yield from _within(getattr(record, field), f"{prefix}{field}")
+def estimates(record: Record) -> tuple[tuple[str, Estimate], ...]:
+    """Return each value of an entry with its dotted name, such as ``ripple.cogging_native``, in schema order."""
+    return record.listed
 
 
 def _within(value: Any, name: str) -> Iterator[tuple[str, Estimate]]:
     if isinstance(value, Estimate):
         yield name, value
     elif isinstance(value, Record):
-        yield from estimates(value, f"{name}.")
+        yield from ((f"{name}.{inner}", known) for inner, known in value.listed)
     elif isinstance(value, Mapping):
         for key, part in value.items():
             yield from _within(part, f"{name}.{key}")

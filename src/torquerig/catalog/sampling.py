@@ -65,8 +65,9 @@ def sample_entry(entry: AnyEntry, seed: int) -> Sample[AnyEntry]:
     to a file changes no other sample. An alias gives the same values as the motor's name. Pole pairs and slots are
     sampled as a pair that has a winding.
     """
+    origin = _origin(entry)
     values = {
-        field: estimate.draw(draws_of(seed, f"{_origin(entry)}.{_draw_name(field)}"))
+        field: estimate.draw(draws_of(seed, f"{origin}.{_draw_name(field)}")) if estimate.open else estimate.nominal()
         for field, estimate in _known(entry)
     }
     values |= _divided_friction(entry, values)

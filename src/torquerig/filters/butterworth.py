@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,6 +15,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from torquerig.recordings.recording import Recording
+
+DESIGNS = 64  # low-passes whose sections are kept: a design takes 0.2 ms, filtering 2 s at 25 kHz 1.2 ms
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,7 +49,7 @@ class ButterworthLowPass:
 
     def apply(self, recording: Recording) -> Recording:
         """Return ``recording`` with its torque low-passed; RecordingError where it is too short or too slow."""
-        from scipy.signal import butter, sosfiltfilt
+        from scipy.signal import sosfiltfilt
 
         name, rate = recording.torque_name(), recording.sample_rate
         values = recording.channels[name].values
@@ -61,7 +64,7 @@ class ButterworthLowPass:
                 f"{recording.name}: {values.size} samples are too few for a low-pass at {self.cutoff:g} Hz; "
                 f"it needs {3 * ring}, three periods of its cutoff"
             )
-        sections = butter(self.order, self.cutoff, fs=rate, output="sos")
+        sections = low_pass_sections(self.order, self.cutoff, rate)
         offset = values[0]
         return recording.with_values(name, sosfiltfilt(sections, values - offset, padlen=ring) + offset)
 
@@ -103,11 +106,28 @@ class CausalButterworthLowPass:
         return max(10 / self.cutoff, 1 / head.sample_rate)
 
     def _sections(self, recording: Recording) -> NDArray[np.float64]:
-        from scipy.signal import butter
-
         if self.cutoff >= recording.sample_rate / 2:
             raise RecordingError(
                 f"{recording.name}: a low-pass at {self.cutoff:g} Hz needs a sample rate above {2 * self.cutoff:g} Hz, "
                 f"and this one has {recording.sample_rate:g} Hz; lower the cutoff"
             )
-        return np.asarray(butter(self.order, self.cutoff, fs=recording.sample_rate, output="sos"))
+        return low_pass_sections(self.order, self.cutoff, recording.sample_rate)
+
+
+def low_pass_sections(order: int, cutoff: float, rate: float) -> NDArray[np.float64]:
+    """Return the second-order sections of a Butterworth low-pass, shape (sections, 6).
+
+    Parameters
+    ----------
+    order : int
+    cutoff, rate : float
+        Cutoff frequency and samples per second [Hz].
+    """
+    return _designed(order, cutoff, rate).copy()
+
+
+@lru_cache(maxsize=DESIGNS)
+def _designed(order: int, cutoff: float, rate: float) -> NDArray[np.float64]:
+    from scipy.signal import butter
+
+    return np.asarray(butter(order, cutoff, fs=rate, output="sos"))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
 
@@ -19,6 +19,7 @@ from torquerig.scenario.catalog_values.phase_level import is_from_phase_level, w
 from torquerig.scenario.checks.misplaced import place_of
 from torquerig.scenario.conditions.operating_point import OperatingPoint, run_at
 from torquerig.scenario.conditions.recording_settings import RecordingSettings
+from torquerig.scenario.kept_readings import KeptReadings
 from torquerig.scenario.kinds import KINDS
 from torquerig.scenario.measured import with_measured
 from torquerig.scenario.model import Scenario
@@ -36,41 +37,72 @@ def read_scenario(document: Document, catalog: Catalog, *, seed: int) -> Scenari
     InputError
         With file, line, key and remedy, for everything that cannot be used.
     """
-    try:
-        return replace(_read(document, catalog, seed), catalog=catalog, seed=seed)
-    except TorquerigError as error:
-        raise naming_edits(document, error) from None
+    return ScenarioReader(document, catalog).at(seed)
 
 
-def _read(document: Document, catalog: Catalog, seed: int) -> Scenario:
-    data = sections_of(document)
-    point, stated = read_operating_point(document, seed=seed)
-    recorded = read_section(document, "recording", RecordingSettings)
-    found: list[Part] = []
-    owners: dict[str, str] = {}
-    uncertainties: dict[str, Estimate] = stated.named("operating_point", stated.estimates)
-    assumed: dict[str, str] = stated.named("operating_point", stated.assumed)
-    kept: dict[str, str] = stated.named("operating_point", stated.kept)
-    taken: dict[str, FromCatalog] = {}
-    shaft: str | None = None
-    for name, written in data["rig"].items():
-        filled = _filled(document, name, written, shaft, catalog=catalog, seed=seed)
+@dataclass(frozen=True)
+class ScenarioReader:
+    """A scenario to be read with many seeds: sections and parts that draw nothing are read once.
+
+    What is kept depends on the document and the catalog alone. Both are values in memory: a file that changes later
+    changes neither.
+
+    Parameters
+    ----------
+    document : Document
+    catalog : Catalog
+    """
+
+    document: Document
+    catalog: Catalog
+    _kept: KeptReadings = field(default_factory=KeptReadings, init=False, repr=False, compare=False)
+
+    def at(self, seed: int) -> Scenario:
+        """Return the scenario with the values of a seed; raises as :func:`read_scenario`."""
+        try:
+            return replace(self._read(seed), catalog=self.catalog, seed=seed)
+        except TorquerigError as error:
+            raise naming_edits(self.document, error) from None
+
+    def _read(self, seed: int) -> Scenario:
+        document, kept = self.document, self._kept
+        data = kept.once("sections", seed, lambda _: sections_of(document))
+        point, stated = kept.once("operating_point", seed, lambda at: read_operating_point(document, seed=at))
+        recorded = kept.once("recording", seed, lambda _: read_section(document, "recording", RecordingSettings))
+        found: list[Part] = []
+        owners: dict[str, str] = {}
+        uncertainties: dict[str, Estimate] = stated.named("operating_point", stated.estimates)
+        assumed: dict[str, str] = stated.named("operating_point", stated.assumed)
+        given: dict[str, str] = stated.named("operating_point", stated.kept)
+        taken: dict[str, FromCatalog] = {}
+        shaft: str | None = None
+        for name, written in data["rig"].items():
+            read = partial(self._parts, name, written, shaft)
+            for item, part in kept.once(("rig", name, shaft), seed, read):
+                with _placed(document, "rig", name):
+                    Rig((*found, part))
+                found.append(part)
+                owners[part.name] = name
+                for key, spread in item.uncertainties.items():
+                    uncertainties[f"{part.name}.{key}"] = Estimate(getattr(part, key), rel_sd=spread, evidence="REF")
+                uncertainties.update({f"{part.name}.{path}": known for path, known in item.stated.items()})
+                given.update({f"{part.name}.{path}": text for path, text in item.kept.items()})
+                assumed.update({f"{part.name}.{key}": text for key, text in item.assumed.items()})
+                taken.update({f"{part.name}.{key}": one for key, one in item.taken.items()})
+                shaft = part.name if part.on_shaft and not part.ends_shaft else shaft
+        rig = _runnable(document, with_measured(Rig(tuple(found)), document), point, owners)
+        title = str(data.get("scenario", document.path.stem))
+        return Scenario(document, title, point, rig, uncertainties, assumed, taken, recording=recorded, kept=given)
+
+    def _parts(self, name: str, written: Any, shaft: str | None, seed: int) -> tuple[tuple[Filled, Part], ...]:
+        """Return the part ``name`` of the file and the effects that come with it, each with its data."""
+        filled = _filled(self.document, name, written, shaft, catalog=self.catalog, seed=seed)
+        made = []
         for item in (filled, *filled.effects):
-            part = _part(document, name, item, shaft)
-            with _placed(document, "rig", name):
-                Rig((*found, part))
-            found.append(part)
-            owners[part.name] = name
-            for key, spread in item.uncertainties.items():
-                uncertainties[f"{part.name}.{key}"] = Estimate(getattr(part, key), rel_sd=spread, evidence="REF")
-            uncertainties.update({f"{part.name}.{path}": known for path, known in item.stated.items()})
-            kept.update({f"{part.name}.{path}": text for path, text in item.kept.items()})
-            assumed.update({f"{part.name}.{key}": text for key, text in item.assumed.items()})
-            taken.update({f"{part.name}.{key}": one for key, one in item.taken.items()})
+            part = _part(self.document, name, item, shaft)
+            made.append((item, part))
             shaft = part.name if part.on_shaft and not part.ends_shaft else shaft
-    rig = _runnable(document, with_measured(Rig(tuple(found)), document), point, owners)
-    title = str(data.get("scenario", document.path.stem))
-    return Scenario(document, title, point, rig, uncertainties, assumed, taken, recording=recorded, kept=kept)
+        return tuple(made)
 
 
 def _runnable(document: Document, rig: Rig, point: OperatingPoint, owners: Mapping[str, str]) -> Rig:

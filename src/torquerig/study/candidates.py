@@ -15,7 +15,7 @@ from torquerig.rig.reading_place import reading_place
 from torquerig.rig.terms import Inertia
 from torquerig.scenario.kinematics import kinematics_of, torque_gain, travel_text, turns_to
 from torquerig.scenario.model import Scenario
-from torquerig.scenario.reading import read_scenario
+from torquerig.scenario.reading import ScenarioReader
 from torquerig.study.definition import Study
 from torquerig.study.exchange import ExchangedParts, pinned_ratio
 from torquerig.study.exchanged_data import document_of, look_up_stage
@@ -127,7 +127,7 @@ def candidate_of(study: Study, *, motor: str, gearbox: str) -> Candidate:
     """Return the candidate with the ratios of its chain, as it is read with the seed of the study."""
     parts = study.exchanged
     asked = Candidate(motor=motor, gearbox=gearbox, ratio=1.0, parts=parts)
-    rig = candidate_scenario(asked, study, seed=study.settings.seed).rig
+    rig = candidate_scenario(reader_of(asked, study), study, seed=study.settings.seed).rig
     whole = kinematics_of(rig).ratio
     if not gearbox:
         return replace(asked, ratio=whole)
@@ -145,13 +145,23 @@ def scenario_of(candidate: Candidate, study: Study, *, seed: int) -> Scenario:
 
     ``seed`` determines the values drawn from the catalog's intervals.
     """
-    scenario = candidate_scenario(candidate, study, seed=seed)
+    return tuned_scenario(reader_of(candidate, study), study, seed=seed)
+
+
+def reader_of(candidate: Candidate, study: Study) -> ScenarioReader:
+    """Return the reader of the scenario with the candidate's motor and stage, for many seeds."""
+    return ScenarioReader(document_of(candidate.motor, candidate.gearbox, study), study.catalog)
+
+
+def tuned_scenario(reader: ScenarioReader, study: Study, *, seed: int) -> Scenario:
+    """Return what :func:`scenario_of` returns for the candidate of a reader."""
+    scenario = candidate_scenario(reader, study, seed=seed)
     motor = study.exchanged.motor
-    limited = drive_limited(scenario.rig, study.settings.sensor_limit, motor=motor)
-    return replace(scenario, rig=loop_tuned(limited, study.settings.speed_loop, motor=motor))
+    tuned = loop_tuned(scenario.rig, study.settings.speed_loop, motor=motor)
+    return replace(scenario, rig=drive_limited(tuned, study.settings.sensor_limit, motor=motor))
 
 
-def candidate_scenario(candidate: Candidate, study: Study, *, seed: int) -> Scenario:
+def candidate_scenario(reader: ScenarioReader, study: Study, *, seed: int) -> Scenario:
     """Return the scenario with the candidate's parts, loop and limit as the scenario states them.
 
     Raises
@@ -159,8 +169,7 @@ def candidate_scenario(candidate: Candidate, study: Study, *, seed: int) -> Scen
     InputError
         Where the motor does not follow the set-point under a speed_controller, which the study tunes.
     """
-    document, motor = document_of(candidate.motor, candidate.gearbox, study), study.exchanged.motor
-    scenario = read_scenario(document, study.catalog, seed=seed)
+    scenario, motor = reader.at(seed), study.exchanged.motor
     tuned = [one.name for one in scenario.rig.parts_of(SpeedController) if one.motor == motor]
     if not tuned or leading_part(scenario.rig) != motor:
         raise InputError(
@@ -185,7 +194,7 @@ def loop_tuned(rig: Rig, rule: SpeedLoopRule, *, motor: str) -> Rig:
     """
     controller = next(one for one in rig.parts_of(SpeedController) if one.motor == motor)
     ratios = rig.speed_ratios(rig.node(controller.motor))
-    inertias = [term for part in rig.parts for term in part.terms(rig) if isinstance(term, Inertia)]
+    inertias = [term for term in rig.terms() if isinstance(term, Inertia)]
     seen = sum(term.inertia * ratios.get(term.node, 0.0) ** 2 for term in inertias)
     kp = 2 * pi * rule.crossover * seen
     return rig.changed(replace(controller, kp=kp, ki=kp * 2 * pi * rule.integral_corner))

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from torquerig.catalog.reading import Catalog
 from torquerig.document import Document, read_document
 from torquerig.errors import InputError, did_you_mean
-from torquerig.filters.chains.chain_file import needs_response, read_chains
+from torquerig.filters.chains.chain_file import chain_texts, made_chain, needs_response
 from torquerig.filters.chains.filter_chain import Chain
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.load_response import load_response
@@ -17,6 +19,9 @@ from torquerig.scenario.model import Scenario
 from torquerig.scenario.sections import output_moves_in_a_line, with_current_names
 from torquerig.study.exchange import ExchangedParts, exchanged_parts, present_stage
 from torquerig.study.settings import Settings, read_settings
+
+if TYPE_CHECKING:
+    from torquerig.filters.chains.chain_file import Stages
 
 
 @dataclass(frozen=True)
@@ -28,7 +33,7 @@ class Study:
     catalog: Catalog
     filters: Document
 
-    @property
+    @cached_property
     def exchanged(self) -> ExchangedParts:
         """The parts of the rig that the candidates replace."""
         return exchanged_parts(self.document, self.settings)
@@ -65,15 +70,20 @@ class Study:
         wanted = dict.fromkeys((*self.settings.filters.names, self.settings.present.filter))
         rate, is_needed = scenario.recording.sample_rate, needs_response(self.filters, wanted)
         response = load_response(scenario.rig, rate=rate) if is_needed else None
-        made = read_chains(self.filters, kinematics=kinematics_of(scenario.rig), response=response)
+        kinematics, stated = kinematics_of(scenario.rig), self._chain_texts
         for name in wanted:
-            if name not in made:
+            if name not in stated:
                 key = ("filters", "names") if name in self.settings.filters.names else ("present", "filter")
                 raise InputError(
                     f"{self.document.place(('study', *key))}: unknown filter chain {name!r}: it is not in "
-                    f"{self.filters.path.name}; {did_you_mean(name, made)}"
+                    f"{self.filters.path.name}; {did_you_mean(name, stated)}"
                 )
-        return {name: made[name] for name in wanted}
+        return {name: made_chain(name, stated[name], kinematics=kinematics, response=response) for name in wanted}
+
+    @cached_property
+    def _chain_texts(self) -> Mapping[str, Stages]:
+        """The filter chains of the file, for any drive."""
+        return chain_texts(self.filters)
 
 
 def open_study(document: Document, catalog: Catalog) -> Study:

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 
 from torquerig.errors import UnitError, did_you_mean
 from torquerig.units.spellings import Signature, signatures
 from torquerig.units.table import UNITS
 
+SPELLINGS = 1024  # texts whose unit is kept; a program meets some hundred
 
+
+@lru_cache(maxsize=SPELLINGS)
 def kind_of(unit: str) -> str:
     """Return the kind of quantity that ``unit`` measures, such as ``torque`` for ``N*m``; UnitError if unknown."""
     kind = kinds_by_unit().get(plain_unit(unit))
@@ -65,6 +68,7 @@ def _spells(signature: Signature, spelling: str) -> bool:
     return all(re.search(rf"(?<![A-Za-z]){re.escape(symbol)}(?![A-Za-z])", spelling) for symbol, _ in signature)
 
 
+@lru_cache(maxsize=SPELLINGS)
 def plain_unit(unit: str) -> str:
     """Return a unit with the signs of the table: ``N m`` and ``N·m`` as ``N*m``, ``m²`` as ``m^2``."""
     swapped = unit.strip().replace("·", "*").replace("²", "^2").replace("µ", "u").replace("μ", "u").replace("Ω", "ohm")

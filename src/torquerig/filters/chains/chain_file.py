@@ -12,8 +12,11 @@ from torquerig.filters.chains.filter_chain import Chain
 from torquerig.filters.chains.renamed_chains import current_chain
 
 if TYPE_CHECKING:
+    from torquerig.filters.chains.stage_form import StageForm
     from torquerig.filters.load_response import LoadResponse
     from torquerig.orders.kinematics.kinematic_lines import Kinematics
+
+    Stages = tuple[StageForm, ...]
 
 
 def read_chains(
@@ -41,6 +44,12 @@ def read_chains(
     InputError
         With file, line, key and remedy for everything that cannot be read.
     """
+    texts = chain_texts(source, within=within)
+    return {name: made_chain(name, stages, kinematics=kinematics, response=response) for name, stages in texts.items()}
+
+
+def chain_texts(source: Document | Path, *, within: tuple[str, ...] = ("filters",)) -> Mapping[str, Stages]:
+    """Return the stages of each chain as they are stated, for any drive; InputError as :func:`read_chains`."""
     from torquerig.filters.chains.chain_schema import CHAINS
 
     document = source if isinstance(source, Document) else read_document(source)
@@ -49,15 +58,20 @@ def read_chains(
         if not isinstance(data, Mapping) or key not in data:
             raise InputError(f"{document.place(within[:depth])}: the key {key!r} is missing; add it with the chains")
         data = data[key]
-    chains = {}
-    for written, texts in validated(document, CHAINS, within=within).items():
+    texts = {}
+    for written, stages in validated(document, CHAINS, within=within).items():
         name = current_chain(written)
         if name != written and name in data:
             raise InputError(f"{document.place(within)}: {written} is the old name of {name}; keep one of them")
-        made = [text.made_for(kinematics, response) for text in texts]
-        left_out = dict.fromkeys(word for _, words in made for word in words)
-        chains[name] = Chain(name=name, stages=tuple(stage for stage, _ in made), left_out=tuple(left_out))
-    return chains
+        texts[name] = tuple(stages)
+    return texts
+
+
+def made_chain(name: str, texts: Stages, *, kinematics: Kinematics, response: LoadResponse | None = None) -> Chain:
+    """Return a chain for one drive; see :func:`read_chains` for the parameters."""
+    made = [text.made_for(kinematics, response) for text in texts]
+    left_out = dict.fromkeys(word for _, words in made for word in words)
+    return Chain(name=name, stages=tuple(stage for stage, _ in made), left_out=tuple(left_out))
 
 
 def needs_response(document: Document, names: Iterable[str], *, within: tuple[str, ...] = ("filters",)) -> bool:

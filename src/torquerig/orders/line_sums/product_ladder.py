@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,6 +12,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 _SAME = 1e-12  # relative difference of orders that count as equal: a thousandth of a degree after a million turns
+LADDERS = 64  # that are kept: a filter needs the same one three times, the drives of a study have few
 
 
 @dataclass(frozen=True)
@@ -37,6 +39,12 @@ def ladder_of(orders: NDArray[np.float64]) -> Ladder:
     orders : ndarray, shape (orders,)
         Multiples of the turned angle [1], in any sequence; only earlier orders are used as factors.
     """
+    return _ladder_of(np.ascontiguousarray(orders, dtype=np.float64).tobytes())
+
+
+@lru_cache(maxsize=LADDERS)
+def _ladder_of(content: bytes) -> Ladder:
+    orders = np.frombuffer(content).copy()
     first = np.full(orders.size, -1, dtype=np.int64)
     second = np.full(orders.size, -1, dtype=np.int64)
     for row, order in enumerate(orders):
@@ -46,4 +54,4 @@ def ladder_of(orders: NDArray[np.float64]) -> Ladder:
             if difference.min() <= _SAME * max(abs(order), 1.0):
                 first[row], second[row] = low, int(np.argmin(difference))
                 break
-    return Ladder(np.ascontiguousarray(orders, dtype=np.float64), first, second)
+    return Ladder(orders, first, second)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, replace
 from typing import Any, TypeVar
 
@@ -113,33 +113,38 @@ def filled_from_catalog(catalog: Catalog, entry: str, *, kind: str, name: str, s
     if isinstance(found, Coupling):
         return _with_loss(filled, sample)
     if isinstance(found, Sensor) and "adc.bits" in sample.values:
-        taken = {**filled.taken, "converter_bits": _taken(sample, "adc.bits")}
+        taken = {**filled.taken, **_taken(sample, {"converter_bits": "adc.bits"})}
         return replace(filled, values={**filled.values, "converter_bits": sample.count("adc.bits")}, taken=taken)
     return filled
 
 
 def _quantities(sample: Sample[Any], kind: str, name: str) -> Filled:
     values: dict[str, Any] = {"kind": kind}
-    uncertainties, assumed, taken = {}, {}, {}
+    uncertainties, assumed = {}, {}
     known = dict(estimates(sample.entry))
+    there = {target: source for target, source, _ in FIELDS[kind] if source in sample.values}
     for target, source, unit in FIELDS[kind]:
-        if source not in sample.values:
+        if target not in there:
             continue
         values[target] = written_quantity(sample.values[source], unit)
-        taken[target] = _taken(sample, source)
         spread = known[source].part_rel_sd if target not in RANGES else known[source].rel_sd
         if spread and (source in sample.assumed or known[source].rel_sd):
             uncertainties[target] = spread
         if source in sample.assumed:
             value, shown = in_unit(sample.values[source], known[source].unit), known[source].unit
             assumed[target] = f"{value:.4g}{'' if shown == '1' else ' ' + shown} of {sample.assumed[source].known}"
+    taken = _taken(sample, there)
     return Filled(name=name, values=values, uncertainties=uncertainties, assumed=assumed, taken=taken)
 
 
-def _taken(sample: Sample[Any], source: str) -> FromCatalog:
-    known = dict(estimates(sample.entry))[source]
+def _taken(sample: Sample[Any], fields: Mapping[str, str]) -> dict[str, FromCatalog]:
+    """Return what a part took from the catalog, from the entry's field by field of the part."""
+    known = dict(estimates(sample.entry))
     maker = getattr(sample.entry, "stands_for", "") or sample.entry.name
-    return FromCatalog(entry=maker, field=source, known=known, used=sample.values[source])
+    return {
+        target: FromCatalog(entry=maker, field=source, known=known[source], used=sample.values[source])
+        for target, source in fields.items()
+    }
 
 
 def _with_winding(filled: Filled, sample: Sample[Motor]) -> Filled:
@@ -156,7 +161,7 @@ def _with_winding(filled: Filled, sample: Sample[Motor]) -> Filled:
         filled,
         values={**filled.values, "model": sample.entry.name, **counts},
         assumed={**filled.assumed, **assumed},
-        taken={**filled.taken, **{key: _taken(sample, key) for key in (*counts, *lines)}},
+        taken={**filled.taken, **_taken(sample, {key: key for key in (*counts, *lines)})},
         effects=motor_effects(sample, filled.name),
     )
 
@@ -201,7 +206,7 @@ def _with_loss(filled: Filled, sample: Sample[Any]) -> Filled:
         values={**filled.values, "loss_factor": loss},
         assumed={**filled.assumed, "loss_factor": text},
         uncertainties={**filled.uncertainties, **({"loss_factor": spread} if spread else {})},
-        taken={**filled.taken, "loss_factor": _taken(sample, source)},
+        taken={**filled.taken, **_taken(sample, {"loss_factor": source})},
     )
 
 

@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 from torquerig.cases import Case
 from torquerig.catalog.chosen_draws import ChosenDraws
 from torquerig.errors import InputError
-from torquerig.study.candidates import scenario_of
 from torquerig.study.monte_carlo.drawn_study import DrawnStudy
 
 Floats = NDArray[np.float64]
@@ -126,9 +125,9 @@ def _sampled(method: Method, names: tuple[str, ...], count: int, *, seed: int) -
 
 def _effective(drawn: DrawnStudy, drive: str) -> Iterator[str]:
     """Yield the open values of a drive that change its rig; a price, for one, does not."""
-    candidate, study = drawn.drives[drive], drawn.study
+    seed = drawn.study.settings.seed
     for name in drawn.unknown[drive]:
-        rigs = [scenario_of(candidate, study, seed=ChosenDraws(study.settings.seed, {name: at})).rig for at in PROBED]
+        rigs = [drawn.scenario(drive, seed=ChosenDraws(seed, {name: at})).rig for at in PROBED]
         if rigs[0] != rigs[1]:
             yield name
 

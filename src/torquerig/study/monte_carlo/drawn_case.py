@@ -20,8 +20,8 @@ from torquerig.scenario.model import Scenario
 from torquerig.simulation.batch import simulate_part
 from torquerig.simulation.batch_parts import BatchRun, alike
 from torquerig.simulation.true_lines import without_lines
-from torquerig.study.candidates import scenario_of
 from torquerig.study.monte_carlo.drawn_study import DrawnStudy, error_column, residual_column
+from torquerig.study.monte_carlo.replayed_files import changed_file
 from torquerig.study.planned_drive import sample_span
 from torquerig.study.preflight import beyond_the_drive
 
@@ -48,6 +48,9 @@ def drawn_rows(drawn: DrawnStudy, cases: Sequence[Case]) -> list[Row | Failed]:
     for part in alike(runs):
         found = simulate_part([runs[row] for row in part], draws=drawn.loads)
         recordings |= {id(runs[row]): one for row, one in zip(part, found, strict=True)}
+    if changed := changed_file(drawn.replayed):  # after the runs, which read it
+        said = f"{changed} changed while the study ran; delete the store and run the study again"
+        return [Failed(said) for _ in cases]
     return [
         _measured(drawn, one, [recordings.pop(id(run)) for run in one.runs]) if isinstance(one, _Drawn) else one
         for one in made
@@ -60,7 +63,7 @@ def _drawn(drawn: DrawnStudy, case: Case) -> _Drawn | Row | Failed:
     seed = ChosenDraws(case.seed, json.loads(str(stated))) if stated else case.seed
     candidate = drawn.drives[name]
     try:
-        scenario = scenario_of(candidate, study, seed=seed)
+        scenario = drawn.scenario(name, seed=seed)
     except InputError as error:
         return Failed(str(error))
     reason = beyond_the_drive(candidate, scenario, study)

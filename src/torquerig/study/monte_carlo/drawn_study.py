@@ -10,9 +10,12 @@ from typing import Any
 from torquerig.cases import Case, Column, Identity, digest_of
 from torquerig.catalog.chosen_draws import ChosenDraws
 from torquerig.errors import InputError
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import ScenarioReader
 from torquerig.simulation.inputs import Draws
-from torquerig.study.candidates import Candidate, candidates, scenario_of
+from torquerig.study.candidates import Candidate, candidates, reader_of, scenario_of, tuned_scenario
 from torquerig.study.definition import Study
+from torquerig.study.monte_carlo.replayed_files import replayed_files
 from torquerig.study.preflight import check_study, out_of_reach
 from torquerig.study.settings import metrics_of
 
@@ -34,13 +37,23 @@ class DrawnStudy:
         The other drives, with the reason.
     unknown : mapping of str to tuple of str
         Names of what is drawn, by drive: ``HDS6A-0104A.rotor_inertia``.
+    replayed : mapping of str to str
+        Digest of the content of each recording that the rig replays, by path.
     """
 
     study: Study
     drives: Mapping[str, Candidate]
     left_out: Mapping[str, str]
     unknown: Mapping[str, tuple[str, ...]]
+    replayed: Mapping[str, str] = field(default_factory=dict)
     loads: Draws = field(default_factory=Draws, repr=False, compare=False)
+    readers: dict[str, ScenarioReader] = field(default_factory=dict, repr=False, compare=False)
+
+    def scenario(self, drive: str, *, seed: int) -> Scenario:
+        """Return the scenario of a drive at one draw; what no draw changes is read once in each process."""
+        if drive not in self.readers:
+            self.readers[drive] = reader_of(self.drives[drive], self.study)
+        return tuned_scenario(self.readers[drive], self.study, seed=seed)
 
     @property
     def metrics(self) -> frozenset[str]:
@@ -84,6 +97,7 @@ class DrawnStudy:
             study={
                 **_stated(_computed(study.document.data)),
                 "drives": ", ".join(self.drives),
+                **{f"recording {path}": digest for path, digest in self.replayed.items()},
                 "filter file": digest_of(json.dumps(study.filters.data, default=repr, sort_keys=True)),
                 **{f"entry {name} of the catalog": digest_of(text) for name, text in (motors | others).items()},
                 "plan": plan if len(plan) <= LONGEST else f"{plan[:LONGEST]}... ({digest_of(plan)})",
@@ -143,6 +157,7 @@ def drawn_study(study: Study) -> DrawnStudy:
         drives=drives,
         left_out={name: why for name, why in reasons.items() if why},
         unknown={name: unknown[name] for name in drives},
+        replayed=replayed_files(made.rig for made in scenarios.values()),
     )
 
 
