@@ -197,7 +197,8 @@ def test_a_small_decision_and_its_answer(small):
 def test_the_answer_uses_the_words_of_the_study_and_keeps_its_demands_open(small):
     """``compare`` on the same drives: one engine, so one word, one chance and one open demand."""
     answer, of_study = small.answer, verdict(small.decided)
-    assert answer.overall.certainty is of_study.certainty is Certainty.OPEN
+    assert answer.overall.certainty is Certainty.OPEN
+    assert of_study.certainty is answer.overall.certainty_if_met
     assert answer.overall.best_shares == of_study.best_shares
     assert answer.conditions == ("whether bldc-12n14p is a servo motor",)
     assert of_study.facts[0].sentence().startswith("ask the maker whether bldc-12n14p is a servo motor: if not, ")

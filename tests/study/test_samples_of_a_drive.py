@@ -97,7 +97,7 @@ def test_a_ranking_of_draws_is_called_so_first_and_names_no_new_motor_that_the_d
         "Of the 3 ranked motors, 2 have no data sheet with their cogging and ripple: their order among each other is "
         "one of draws from the intervals of their class. "
     )
-    assert answer.sentence.startswith("Of the 3 ranked motors, 2 have no data sheet")
+    assert any(remark.startswith("Of the 3 ranked motors, 2 have no data sheet") for remark in answer.remarks)
     text = best_new_motor_text(made, [name for name in made.ranked() if "bldc" not in name])
     assert text.startswith((" The best new motor is ", " No new motor is clearly best: "))
     assert ("% of the samples of the data" in text) == text.startswith(" The best")

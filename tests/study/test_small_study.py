@@ -243,10 +243,9 @@ def test_what_is_missing_is_asked_for_in_a_buyer_s_words() -> None:
 
 def test_a_study_without_a_better_filter_says_to_leave_things_as_they_are() -> None:
     runs = tiny("study.gearboxes=[reference-5-1]", "study.filters.names=[none]", "study.duration=0.5 s")
-    asked = "If the open requirements are met (whether bldc-12n14p is a servo motor), "
-    told = "eep bldc-12n14p 5:1 as it is, with the filter none. "
-    assert verdict(decide(runs)).sentence.startswith(f"{asked}k{told}")
-    assert verdict(decide(answered(runs))).sentence.startswith(f"K{told}")
+    kept = "Keep bldc-12n14p 5:1 as it is, with the filter none: reading error 0."
+    assert verdict(decide(runs)).sentence.startswith(kept)
+    assert verdict(decide(answered(runs))).sentence.startswith(kept)
 
 
 def test_where_no_drive_meets_the_demands_nothing_survives() -> None:
@@ -272,14 +271,19 @@ def answered(runs: StudyRuns) -> StudyRuns:
     return replace(runs, drives=tuple(drives))
 
 
-def test_an_open_demand_on_the_winner_is_undecidable_until_it_is_answered() -> None:
+def test_a_question_about_the_present_motor_gives_both_branches_and_leaves_the_verdict_decided() -> None:
     before = verdict(decide(small()))
-    assert before.certainty is Certainty.OPEN
+    assert before.certainty is not Certainty.OPEN
+    assert before.answer.certainty_text == f"{before.certainty}, if bldc-12n14p is a servo motor"
+    assert "Open question: is bldc-12n14p a servo motor?" in before.answer.sentences
+    assert "If not, the requirement servo motor eliminates this drive." in before.answer.sentences
+    assert any(sentence.startswith("Then") and "HDS5C-102A" in sentence for sentence in before.answer.sentences)
     asked = [fact for fact in before.facts if fact.fact == "whether bldc-12n14p is a servo motor"]
     assert asked[0].decisive
     assert any("ask the maker whether bldc-12n14p is a servo motor: " in told for told in before.open_facts)
     after = verdict(decide(answered(small())))
-    assert after.certainty is not Certainty.OPEN
+    assert after.certainty is before.certainty
+    assert not after.answer.questions
     assert after.best_shares == pytest.approx(before.best_shares)
 
 

@@ -88,7 +88,8 @@ def command(
         write_matrix(analyse_matrix(as_matrix(decided, name=scenario.stem, seed=study.settings.seed)), path)
         click.echo(f"wrote {path}", err=True)
     written = write_study_report(runs, decided, answer, folder, changes=found or None, edits=settings)
-    click.echo(f"\n{answer.sentence}\n\nreport: {written[0]}")
+    click.echo(f"\nreport: {written[0]}\n")
+    click.echo("\n".join(wrapped(sentence) for sentence in answer.answer.sentences))
 
 
 def _run(study: Study, title: str, workers: int | None) -> StudyRuns:

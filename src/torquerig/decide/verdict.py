@@ -49,6 +49,8 @@ class MatrixVerdict:
         Open requirements on the winner.
     facts : tuple of str
         Missing facts, each of which alone can change the winner.
+    certainty_if_met : Certainty
+        Certainty under the assumption that the open requirements on the winner are met.
     """
 
     certainty: Certainty
@@ -59,6 +61,7 @@ class MatrixVerdict:
     certainty_of: Mapping[str, Certainty]
     conditions: tuple[str, ...]
     facts: tuple[str, ...] = ()
+    certainty_if_met: Certainty = Certainty.NOBODY
 
     def certainty_text(self) -> str:
         """Return the certainty in words; where it is open, with the facts that the answer depends on."""
@@ -125,8 +128,11 @@ def verdict_of(
         for remark in row.remarks
         if remark.missing
     )
+    pursued = set(winners) <= set(chart.with_decision(Decision.PURSUE))
+    if_met = _certainty(winners, best_shares)
     return MatrixVerdict(
-        certainty=_certainty(chart, winners, best_shares),
+        certainty=if_met if pursued else Certainty.OPEN,
+        certainty_if_met=if_met,
         winners=winners,
         runner_up=result.alternatives[rest[0]] if rest else "",
         lead=float(top - result.total[rest[0]]) / result.ideal if rest else 0.0,
@@ -140,14 +146,14 @@ def verdict_of(
     )
 
 
-def _certainty(chart: SelectionChart, winners: tuple[str, ...], best_shares: Mapping[str, float]) -> Certainty:
-    pursued = set(chart.with_decision(Decision.PURSUE))
+def _certainty(winners: tuple[str, ...], best_shares: Mapping[str, float]) -> Certainty:
+    """Return the certainty, the requirements on the winners taken as met."""
     tied = len(winners) > 1
     # a tie of known values is shared equally, so its winner is best in 1 of so many draws
     open_facts = best_shares["intervals"] < DECIDED and not (
         tied and abs(best_shares["intervals"] - 1 / len(winners)) < TIE
     )
-    if open_facts or not set(winners) <= pursued:
+    if open_facts:
         return Certainty.OPEN
     if tied:
         return Certainty.TIE

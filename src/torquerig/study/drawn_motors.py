@@ -41,7 +41,7 @@ def best_new_motor_text(decided: Decided, names: Iterable[str]) -> str:
     if not listed:
         return ""
     rated = rated_drives(decided, listed)
-    shares = _by_motor(decided, dict(zip(rated.combinations["intervals"].alternatives,
+    shares = share_by_motor(decided, dict(zip(rated.combinations["intervals"].alternatives,
                                          rated.combinations["intervals"].p_best.tolist(), strict=True)))  # fmt: skip
     first, share = next(iter(shares.items()))
     best = next(name for name in listed if decided.alternatives[name].drive.candidate.motor == first)
@@ -54,7 +54,7 @@ def best_new_motor_text(decided: Decided, names: Iterable[str]) -> str:
     )
 
 
-def _by_motor(decided: Decided, shares: Mapping[str, float]) -> dict[str, float]:
+def share_by_motor(decided: Decided, shares: Mapping[str, float]) -> dict[str, float]:
     """Return the share of samples in which each motor is first, the largest first."""
     found: dict[str, float] = {}
     for name, share in shares.items():

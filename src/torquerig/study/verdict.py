@@ -7,7 +7,9 @@ from dataclasses import dataclass
 
 from torquerig.decide.eliminate import Decision
 from torquerig.decide.value_of_information import MissingFact
-from torquerig.decide.verdict import DECIDED, Certainty, MatrixVerdict, verdict_of
+from torquerig.decide.verdict import Certainty, MatrixVerdict, verdict_of
+from torquerig.study.answer.what_to_do import WhatToDo, what_to_do
+from torquerig.study.answer.what_would_change import what_would_change
 from torquerig.study.drawn_motors import best_new_motor_text, is_drawn, ranking_of_draws
 from torquerig.study.rated_drives import feasible_combinations, rated_drives
 from torquerig.study.results import DriveResult
@@ -22,10 +24,15 @@ class Verdict:
     ----------
     winner : str
         Name of the best combination; empty where no drive meets the requirements.
-    sentence : str
-        The verdict as text.
+    answer : WhatToDo
+        What to do, in plain sentences, with the open questions.
     certainty : Certainty
-        Of the drives, each with its best filter; see :func:`torquerig.decide.verdict.verdict_of`.
+        Of the drives, each with its best filter; see :func:`torquerig.decide.verdict.verdict_of`. Open questions about
+        parts that are on the rig do not make it open: ``answer`` has both branches.
+    changes : tuple of str
+        What would change the answer, a sentence each.
+    remarks : tuple of str
+        How far the data carries the ranking.
     p_best : float
         Share of Monte Carlo samples of data, points and weights in which the combination is best [1].
     best_shares : mapping of str to float
@@ -39,12 +46,19 @@ class Verdict:
     """
 
     winner: str
-    sentence: str
+    answer: WhatToDo
     certainty: Certainty
     p_best: float
     best_shares: Mapping[str, float]
     shares: Mapping[str, float]
     facts: tuple[MissingFact, ...]
+    changes: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def sentence(self) -> str:
+        """The answer in plain sentences."""
+        return " ".join(self.answer.sentences)
 
     @property
     def open_facts(self) -> tuple[str, ...]:
@@ -66,59 +80,27 @@ def verdict(decided: Decided) -> Verdict:
         empty = verdict_of(decided.chart, None, {})
         return Verdict(
             winner="", certainty=empty.certainty, p_best=0.0, best_shares={}, shares={}, facts=(),
-            sentence="No drive meets the requirements. The elimination lists the requirements that each one misses.",
+            answer=what_to_do(decided, empty),
         )  # fmt: skip
     rated = rated_drives(decided, names)
     made, together = rated.verdict, rated.combinations["together"]
+    answer = what_to_do(decided, made)
     return Verdict(
-        winner=made.winners[0], certainty=made.certainty, p_best=together.best_share(made.winners[0]),
+        winner=made.winners[0], certainty=answer.certainty, p_best=together.best_share(made.winners[0]),
         best_shares=made.best_shares,
         shares=dict(zip(together.alternatives, together.p_best.tolist(), strict=True)),
-        sentence=_sentence(decided, made), facts=rated.facts,
+        answer=answer, facts=rated.facts, changes=what_would_change(rated), remarks=_remarks(decided, made),
     )  # fmt: skip
 
 
-def _sentence(decided: Decided, made: MatrixVerdict) -> str:
-    winner = decided.alternatives[made.winners[0]]
-    now = decided.alternatives[decided.baseline]
-    error, today = (one.drive.chains[one.chain].truth_error for one in (winner, now))
-    unit, width = error.unit.replace("*", " "), ".3f" if error.unit == "N*m" else ".3g"
-    reading = (
-        f"Its reading error is {error.value:{width}} {unit} rms; that of {now.drive.candidate.name} with the filter "
-        f"{now.chain} "
-        f"is {today.value:{width}} {unit}."
+def _remarks(decided: Decided, made: MatrixVerdict) -> tuple[str, ...]:
+    """Return how far the data carries the ranking, and the next best."""
+    shares = made.best_shares
+    samples = (
+        f"This drive is best in {shares['together']:.0%} of the Monte Carlo samples of data, points and weights, and "
+        f"in {shares['intervals']:.0%} of those of the data alone."
     )
-    return (
-        f"{ranking_of_draws(decided)}{_action(decided, made)} the filter {winner.chain}. "
-        f"{reading}{_next_best(decided, made)} The verdict is "
-        f"{made.certainty}. This drive is best in {made.best_shares['together']:.0%} of the Monte Carlo samples "
-        f"of data, "
-        f"points and weights, and in {made.best_shares['intervals']:.0%} of those of the data alone."
-    )
-
-
-def _action(decided: Decided, made: MatrixVerdict) -> str:
-    winner, now = (decided.alternatives[name].drive for name in (made.winners[0], decided.baseline))
-    action = "keep {} as it is, with" if made.winners[0] == decided.baseline else _change(winner, now)
-    action = action.format(winner.candidate.name)
-    opened = ", ".join(dict.fromkeys(one.partition(": ")[2] for one in made.conditions))
-    if made.best_shares["intervals"] < DECIDED and made.certainty is Certainty.OPEN:
-        open_text = f" (open requirements: {opened})" if opened else ""
-        return f"No drive is clearly best{open_text}; first is {winner.candidate.name} with"
-    if opened:
-        return f"If the open requirements are met ({opened}), {action}"
-    return action[0].upper() + action[1:]
-
-
-def _change(chosen: DriveResult, now: DriveResult) -> str:
-    if chosen.margins["new_parts"].value == 0:
-        return "keep {} and add"
-    if chosen.candidate.motor == now.candidate.motor:
-        stage = f"a gearbox of {chosen.candidate.ratio_text}"
-        if chosen.candidate.parts.stage != "gearbox":
-            stage = f"{chosen.candidate.gearbox} as {chosen.candidate.parts.stage} ({chosen.candidate.ratio_text})"
-        return f"keep the motor {now.candidate.motor}, use {stage} and add"
-    return "buy {} with"
+    return tuple(one.strip() for one in (samples, ranking_of_draws(decided), _next_best(decided, made)) if one)
 
 
 def _next_best(decided: Decided, made: MatrixVerdict) -> str:

@@ -1,0 +1,144 @@
+"""What scenario and catalog state on the sensor and its converter, as items of an uncertainty budget.
+
+A limit "at most a" of a data sheet counts as a rectangular distribution of half-width a, so u = a / sqrt(3) (GUM
+4.3.7). Of an interval of limits the largest counts.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import sqrt
+
+from torquerig.catalog.sensor import Sensor
+from torquerig.parameter import Estimate
+from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
+from torquerig.scenario.model import Scenario
+from torquerig.study.answer.uncertainty_item import Item
+from torquerig.study.candidates import scenario_of
+from torquerig.study.results import DriveResult, StudyRuns
+
+RECTANGULAR, ARCSINE = sqrt(3), sqrt(2)  # [1] half-width over standard deviation
+IN_FIRST = "simulated, and contained in the item filter"
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Measuring:
+    """The sensor of a study, its catalog entry, and the mean torque [N m] that it reads.
+
+    ``tolerance`` is the largest relative error of its sensitivity [1], 0 where none is stated; ``simulated`` are the
+    kinds of parts that act on it.
+    """
+
+    sensor: AmplifiedTorqueSensor
+    entry: Sensor | None
+    mean: float
+    tolerance: float
+    simulated: frozenset[str]
+
+
+def sensor_items(drive: DriveResult, runs: StudyRuns) -> tuple[Item, ...]:
+    """Return the items of sensor and converter; one "not known" where the reading comes from another kind of sensor."""
+    scenario = scenario_of(drive.candidate, runs.study, seed=runs.study.settings.seed)
+    sensors = [one for one in scenario.rig.parts_of(AmplifiedTorqueSensor) if one.name in scenario.rig.places]
+    if not sensors:
+        return (_unknown("sensor and converter", "the budget reads torque_sensor parts only"),)
+    read = _measuring(scenario, sensors[0], drive, runs)
+    return (
+        _sensitivity(read), _linearity(read), _zero(read), _temperature(read, "zero"),
+        _temperature(read, "sensitivity"), _bending(read), _converter(read),
+    )  # fmt: skip
+
+
+def _measuring(scenario: Scenario, sensor: AmplifiedTorqueSensor, drive: DriveResult, runs: StudyRuns) -> _Measuring:
+    stated = runs.study.document.data["rig"].get(sensor.name, {})
+    name = stated.get("catalog")
+    found = runs.study.catalog.sensor(name) if name and sensor.kind == "torque_sensor" else None
+    mean = runs.mean_load if drive.shares is None else drive.shares.mean
+    kinds = frozenset(part.kind for part in scenario.rig.parts if getattr(part, "sensor", sensor.name) == sensor.name)
+    tolerance = (
+        sensor.gain_tolerance if "gain_tolerance" in stated else _largest(found.gain_tolerance if found else None)
+    )
+    return _Measuring(sensor=sensor, entry=found, mean=abs(mean), tolerance=tolerance, simulated=kinds)
+
+
+def _sensitivity(read: _Measuring) -> Item:
+    if not read.tolerance:
+        return _unknown("sensor class", "state gain_tolerance at the sensor, from its data sheet")
+    return _limit(
+        "sensor class", read.tolerance * read.mean,
+        f"sensitivity within {100 * read.tolerance:.2g} % of {read.mean:.3g} N m",
+        source=_source(read.entry.gain_tolerance if read.entry else None),
+    )  # fmt: skip
+
+
+def _linearity(read: _Measuring) -> Item:
+    name = "linearity and hysteresis"
+    if read.simulated & {"sensor_hysteresis", "sensor_nonlinearity"}:
+        return _contained(name)
+    known = read.entry.nonlinearity_hysteresis if read.entry else None
+    share = _largest(known)
+    if read.entry is None or not share:
+        return _unknown(name, "the catalog entry of the sensor states no nonlinearity_hysteresis")
+    full = read.entry.range_torque.nominal()
+    return _limit(name, share * full, f"within {100 * share:.2g} % of {full:g} N m", source=_source(known))
+
+
+def _zero(read: _Measuring) -> Item:
+    if read.sensor.tare:
+        return Item(name="zero", kind="B", standard=0.0, basis="tare: the zero was set before the runs",
+                    source="scenario")  # fmt: skip
+    if read.sensor.zero_tolerance is None:
+        return _unknown("zero", "state tare: true or zero_tolerance at the sensor")
+    return _limit("zero", read.sensor.zero_tolerance, "largest error of the zero", source="scenario")
+
+
+def _temperature(read: _Measuring, of: str) -> Item:
+    name = f"temperature drift of the {of}"
+    if "sensor_drift" in read.simulated and of == "zero":
+        return _contained(name)
+    known = None if read.entry is None else read.entry.zero_drift if of == "zero" else read.entry.gain_drift
+    share = _largest(known)
+    if read.entry is None or not share:
+        return _unknown(name, "neither the drift of the sensor nor the change of temperature is stated")
+    torque = read.entry.range_torque.nominal() if of == "zero" else read.mean
+    return _unknown(name, f"the change of temperature is not stated; each 10 K adds up to {share * torque:.2g} N m")
+
+
+def _bending(read: _Measuring) -> Item:
+    name = "bending of the sensor"
+    if "bending_crosstalk" in read.simulated:
+        return _contained(name)
+    known = read.entry.bending_crosstalk if read.entry else None
+    share = _largest(known)
+    if read.entry is None or not share:
+        return _unknown(name, "neither the weight on the sensor nor its cross-talk is stated")
+    amplitude = share * read.entry.range_torque.nominal()
+    return Item(name=name, kind="B", standard=amplitude / ARCSINE, source=_source(known),
+                basis=f"line once a turn of at most {amplitude:.2g} N m, arcsine distribution")  # fmt: skip
+
+
+def _converter(read: _Measuring) -> Item:
+    step = 2 * read.sensor.converter_range / 2**read.sensor.converter_bits / read.sensor.sensitivity
+    return Item(name="converter", kind="B", standard=step / 2 / RECTANGULAR, is_counted=False, source="scenario",
+                basis=f"half a step of {1e3 * step:.2g} mN m, rectangular; {IN_FIRST}")  # fmt: skip
+
+
+def _limit(name: str, half_width: float, basis: str, *, source: str) -> Item:
+    return Item(name=name, kind="B", standard=half_width / RECTANGULAR, basis=f"{basis}, rectangular", source=source)
+
+
+def _contained(name: str) -> Item:
+    return Item(name=name, kind="B", standard=0.0, basis=IN_FIRST, source="scenario", is_counted=False)
+
+
+def _unknown(name: str, remedy: str) -> Item:
+    return Item(name=name, kind="B", standard=None, basis="", source="", remedy=remedy)
+
+
+def _largest(known: Estimate | None) -> float:
+    """Return the largest possible value; 0 where it is not known."""
+    return 0.0 if known is None or known.unknown else known.bounds[1]
+
+
+def _source(known: Estimate | None) -> str:
+    return "scenario" if known is None or known.unknown else f"{known.source} ({known.evidence})"
