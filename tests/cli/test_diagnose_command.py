@@ -138,6 +138,10 @@ def test_a_fault_of_the_samples_is_named_and_its_model_written(
         "The model lacks quantization. With it, the mean squared standardised residual on held-out data"
     )
     assert told[-2:] == ["wrote codes.json", "wrote codes.model.yaml"]
+    assert any(line.startswith("The findings change the reading by 0.00") and "N m" in line for line in told)
+    assert any(line.startswith("- quantization, ") and " % sure: step_V 0.0231" in line for line in told)
+    assert any(line.startswith("Next: ") for line in told)
+    assert len(told) <= 17
     data = json.loads((folder / "codes.json").read_text(encoding="utf-8"))
     assert [finding["mechanism"] for finding in data["findings"]] == ["quantization"]
     assert data["findings"][0]["parameters"]["step_V"]["value"] == pytest.approx(STEP, rel=1e-3)

@@ -88,9 +88,9 @@ def test_a_folder_stands_for_its_recordings_and_json_holds_them(
 ) -> None:
     (foreign.parent / "b.csv").write_text("time_s,torque_Nm\n0,1\n1,2\n2,3\n")
     main(("info", str(foreign.parent), "--json"))
-    first, second = json.loads(capsys.readouterr().out)
+    first, second = json.loads(capsys.readouterr().out)["recordings"]
     assert (Path(first["path"]).name, Path(second["path"]).name) == ("b.csv", "run.tdms")
-    assert first["columns"][0] | {"mean": 2.0, "rate": 1.0, "samples": 3} == first["columns"][0]
+    assert first["columns"][0] | {"mean": 2.0, "sample_rate_Hz": 1.0, "samples": 3} == first["columns"][0]
     assert second["problem"]
     assert first["problem"] == ""
     assert first["sample_rate_Hz"] == 1.0

@@ -12,7 +12,12 @@ from torquerig.extensions import extensions
 
 
 def catalog_for(scenario: Path | None, further: Sequence[Path] = ()) -> Catalog:
-    """Return all catalogs of a scenario, merged; an entry of a later folder replaces one of an earlier.
+    """Return all catalogs of a scenario, merged; an entry of a later folder replaces one of an earlier."""
+    return load_catalog(*catalog_folders(scenario, further))
+
+
+def catalog_folders(scenario: Path | None, further: Sequence[Path] = ()) -> list[Path]:
+    """Return the catalog folders of a scenario, those that take precedence last.
 
     In this order: the shipped catalog, those of installed packages (entry points ``torquerig.catalogs``), the folder
     ``catalogs`` next to the scenario's folder and in it (without a scenario: in the current folder), and ``further``.
@@ -26,7 +31,7 @@ def catalog_for(scenario: Path | None, further: Sequence[Path] = ()) -> Catalog:
         folders += [here] if here.is_dir() else []
     folders += further
     distinct = {folder.resolve(): folder for folder in reversed(folders)}
-    return load_catalog(*reversed(list(distinct.values())))
+    return list(reversed(distinct.values()))
 
 
 def _of_packages() -> list[Path]:

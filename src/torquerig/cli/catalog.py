@@ -18,10 +18,19 @@ from torquerig.catalog.reading import Catalog
 from torquerig.catalog.search import catalog_for
 from torquerig.catalog.table import catalog_tables
 from torquerig.cli.common_options import catalog_option
+from torquerig.cli.json_option import json_option, wants_json
 from torquerig.errors import UnknownNameError, did_you_mean
 from torquerig.plain_table import grid
+from torquerig.reporting.json_results.catalog import (
+    CatalogListResult,
+    CatalogShowResult,
+    catalog_list_result,
+    class_result,
+    entry_result,
+)
 
-BELOW = {"show": "", **{name: f"torquerig.cli.catalog_{name}" for name in ("new", "check", "import", "export")}}
+_FILES = {"new": "new", "check": "check", "import": "import_", "export": "export"}
+BELOW = {"show": "", **{name: f"torquerig.cli.catalog_commands.{file}" for name, file in _FILES.items()}}
 
 
 class _Below(click.Group):
@@ -49,28 +58,40 @@ class _Below(click.Group):
     subcommand_metavar="[NAME | show NAME | new FILE | check [PATH] | import FILE TARGET | export NAME FILE]",
 )
 @catalog_option
+@json_option("catalog-list")
 @click.pass_context
-def command(context: click.Context, catalogs: tuple[Path, ...]) -> None:
+def command(context: click.Context, catalogs: tuple[Path, ...]) -> CatalogListResult | None:
     """List all motors, gearboxes, sensors, couplings and classes, or all values of NAME (an alias is accepted).
 
     A ? marks an unknown value. The interval after it is the range that a simulation draws from. A name that is also a
     command: torquerig catalog show NAME.
     """
     context.obj = catalogs
+    if context.invoked_subcommand is not None and wants_json():
+        word = context.invoked_subcommand
+        raise click.UsageError(f"--json belongs after {word}: torquerig catalog {word} ... --json OUT")
     if context.invoked_subcommand is not None:
-        return
-    for heading, rows in catalog_tables(catalog_for(None, catalogs)).items():
+        return None
+    catalog = catalog_for(None, catalogs)
+    for heading, rows in catalog_tables(catalog).items():
         columns = list(rows[0]) if rows else []
         click.echo(f"{heading}\n" + grid([columns, *([str(row[key]) for key in columns] for row in rows)]) + "\n")
+    return catalog_list_result(catalog)
 
 
 @click.command("show")
 @click.argument("name")
 @catalog_option
+@json_option("catalog-show")
 @click.pass_context
-def show(context: click.Context, name: str, catalogs: tuple[Path, ...]) -> None:
+def show(context: click.Context, name: str, catalogs: tuple[Path, ...]) -> CatalogShowResult:
     """Show all values of NAME with evidence and source, and how printed figures were converted."""
-    click.echo(_details(catalog_for(None, (*(context.obj or ()), *catalogs)), name))
+    catalog = catalog_for(None, (*(context.obj or ()), *catalogs))
+    click.echo(_details(catalog, name))
+    if name in catalog.classes:
+        return CatalogShowResult(name, class_result(catalog.classes[name]))
+    entry = _find(catalog, name)
+    return CatalogShowResult(entry.name, entry_result(entry, type(entry).__name__.lower()))
 
 
 def _details(catalog: Catalog, name: str) -> str:

@@ -9,6 +9,7 @@ import click
 
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option, set_option
+from torquerig.cli.json_option import json_option
 from torquerig.cli.matrix import ENDINGS, check_target
 from torquerig.cli.progress import drive_progress
 from torquerig.decide.matrix_analysis import analyse_matrix
@@ -16,6 +17,16 @@ from torquerig.decide.matrix_io.certainty_text import trace_text
 from torquerig.document import read_document
 from torquerig.errors import InputError
 from torquerig.plain_table import grid, wrapped
+from torquerig.reporting.json_results.compare import (
+    ComparePointsResult,
+    CompareResult,
+    PointResult,
+    compare_result,
+    not_ranked,
+)
+from torquerig.reporting.json_results.figures import figure_result
+from torquerig.reporting.json_results.simulate import named
+from torquerig.reporting.json_results.values import Missing
 from torquerig.reporting.matrix.files import write_matrix
 from torquerig.reporting.study.report import write_study_report
 from torquerig.reporting.study.text import ranked_text, shares_text
@@ -52,11 +63,12 @@ from torquerig.whole_file import refuse_unwritable
 @click.option("--workers", type=click.IntRange(1), default=None, help="Number of parallel runs. Default: one per core.")
 @set_option
 @catalog_option
+@json_option("compare", reads=("scenario",))
 def command(
     *, scenario: Path, out: Path | None, all_points: bool, workers: int | None, settings: tuple[str, ...],
     catalogs: tuple[Path, ...], traced: tuple[tuple[str, str], ...],
     matrices: tuple[Path, ...], force: bool,
-) -> None:  # fmt: skip
+) -> CompareResult | ComparePointsResult:  # fmt: skip
     """Simulate every motor x gearbox x filter of SCENARIO, rank them, and write a report.
 
     With --set both the original and the edited study run, and the report lists the differences.
@@ -73,8 +85,7 @@ def command(
     if all_points:
         if traced or matrices:
             raise InputError("--trace and --matrix need one study; remove --all-points")
-        _compare_points(study, folder, workers)
-        return
+        return _compare_points(study, folder, workers)
     runs = _run(study, "edited study" if settings else "study", workers)
     found: tuple[Change, ...] = ()
     if settings:
@@ -90,6 +101,9 @@ def command(
     written = write_study_report(runs, decided, answer, folder, changes=found or None, edits=settings)
     click.echo(f"\nreport: {written[0]}\n")
     click.echo("\n".join(wrapped(sentence) for sentence in answer.answer.sentences))
+    return compare_result(
+        runs, decided, answer, changes=found, notes=_notes(runs), written=named([*matrices, *written])
+    )
 
 
 def _run(study: Study, title: str, workers: int | None) -> StudyRuns:
@@ -102,10 +116,17 @@ def _print_ranking(runs: StudyRuns) -> tuple[Decided, Verdict]:
     answer = verdict(decided)
     click.echo(ranked_text(decided) + "\n")
     click.echo(shares_text(runs))
-    for note in (left_out_gearboxes(runs.study), held_sentence(runs.study)):
-        if note:
-            click.echo("\n" + wrapped(note))
+    if out := not_ranked(runs, decided):
+        click.echo("\nEliminated or open, and why:")
+        for one in out:
+            click.echo(wrapped(f"{one.drive} ({one.decision}): {'; '.join(one.reasons)}"))
+    for note in _notes(runs):
+        click.echo("\n" + wrapped(note))
     return decided, answer
+
+
+def _notes(runs: StudyRuns) -> list[str]:
+    return [note for note in (left_out_gearboxes(runs.study), held_sentence(runs.study)) if note]
 
 
 def _print_changes(found: tuple[Change, ...], settings: tuple[str, ...], *, unit: str) -> None:
@@ -121,7 +142,7 @@ def _print_changes(found: tuple[Change, ...], settings: tuple[str, ...], *, unit
     click.echo(grid(rows))
 
 
-def _compare_points(study: Study, folder: Path, workers: int | None) -> None:
+def _compare_points(study: Study, folder: Path, workers: int | None) -> ComparePointsResult:
     points: tuple[Point, ...] = points_of(study)
     if not points:
         raise InputError(
@@ -129,18 +150,24 @@ def _compare_points(study: Study, folder: Path, workers: int | None) -> None:
         )
     rows = [["occupancy %", "particle mm", "winner", f"error {study.effort_unit}", "verdict"]]
     quick = replace(study, settings=study.settings.model_copy(update={"draws": 0}))
+    made_points = []
     for number, point in enumerate(points, start=1):
         runs = _run(point.applied(quick), f"point {number} of {len(points)}", workers)
         decided = decide(runs)
         answer = verdict(decided)
-        write_study_report(runs, decided, answer, folder / point.name)
+        written = write_study_report(runs, decided, answer, folder / point.name)
         made = decided.alternatives.get(answer.winner)
-        error = made.drive.chains[made.chain].truth_error.value if made else None
+        error = made.drive.chains[made.chain].truth_error if made else None
         rows.append([f"{point.occupancy_percent:g}", f"{1e3 * point.particle_size:g}", answer.winner or "-",
-                     _number(error), answer.certainty])  # fmt: skip
+                     _number(error.value if error else None), answer.certainty])  # fmt: skip
+        shown = figure_result(error) if error else Missing("no drive meets the requirements")
+        made_points.append(PointResult(point.occupancy_percent, 1e3 * point.particle_size, answer.winner,
+                                       str(answer.certainty), shown, named(written[:1])[0]))  # fmt: skip
     click.echo(grid(rows) + f"\n\none report per point in {folder}; each point has one Monte Carlo sample per "
                             f"drive, so its "
                "uncertainty covers the intervals of the catalog only")  # fmt: skip
+    title = str(study.document.data.get("title", study.document.path.stem))
+    return ComparePointsResult(title, study.settings.seed, tuple(made_points))
 
 
 def _number(value: float | None) -> str:

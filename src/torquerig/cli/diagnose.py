@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-import json
 import os
 import shlex
-from collections.abc import Iterator
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from torquerig.catalog.search import catalog_for
+from torquerig.catalog.search import catalog_folders, catalog_for
 from torquerig.cli.common_options import catalog_option, edited, set_option
+from torquerig.cli.json_option import write_json
 from torquerig.cli.output_paths import check_output_paths
 from torquerig.errors import InputError
 from torquerig.recordings.files import read_recording
 from torquerig.recordings.files.sidecar import sidecar_path
+from torquerig.reporting.json_results.document import json_text
 from torquerig.scenario.reading import read_scenario
 from torquerig.scenario.writing import scenario_text, write_scenario
 from torquerig.whole_file import whole_file
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from torquerig.diagnosis.engine import Outcome
     from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
     from torquerig.recordings.recording import Recording
+    from torquerig.rig.assembly import Rig
 
 _PAGE = "<!-- written by torquerig diagnose -->"
 _MOST_WORKERS = 4  # unless --workers states another number: each process takes some 200 MB
@@ -35,7 +37,7 @@ _HEAD = f"{_MARK}: the nominal rig with fitted parameters and the findings."
 @click.command("diagnose")
 @click.argument("recordings", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--scenario", required=True, type=click.Path(path_type=Path), help="The rig's nominal scenario.")
-@click.option("--json", "out", default=None, help="JSON file to write; - writes to standard output.")
+@click.option("--json", "out", default=None, metavar="OUT", help="JSON file to write; - writes to standard output.")
 @click.option(
     "--report",
     type=click.Path(path_type=Path),
@@ -43,7 +45,7 @@ _HEAD = f"{_MARK}: the nominal rig with fitted parameters and the findings."
     help="HTML page to write, with figures, in one file.",
 )
 @click.option("--model", type=click.Path(path_type=Path), default=None,
-              help="Completed scenario to write; default: next to the JSON file.")  # fmt: skip
+              help="Completed scenario to write; default: next to the JSON file, without one none.")  # fmt: skip
 @click.option("--check", is_flag=True, help="Only check that scenario and recordings match, and list what is compared.")
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Seed of all random numbers.")
 @click.option(
@@ -60,11 +62,13 @@ def command(
 ) -> None:  # fmt: skip
     """Find which physics the SCENARIO lacks, given RECORDINGS of one rig.
 
-    The JSON holds the verdict, the findings with confidence, and the remaining differences.
+    The answer says what is missing, how large it is, how sure that is and what to do next. The JSON holds the verdict,
+    the findings with confidence, and the remaining differences.
+
     Exit code 0 means that a diagnosis was reached, whatever the verdict. Exit code 2 means a usage or input error.
     """
     if check:
-        _check(recordings, scenario, settings, catalogs, seed=seed)
+        _check(recordings, scenario, settings, catalogs, seed=seed, out=out)
         return
     from torquerig.cli.progress import stages
     from torquerig.diagnosis.any_rig import diagnosed
@@ -72,48 +76,68 @@ def command(
     from torquerig.diagnosis.outcome import SCHEMA, as_json
     from torquerig.diagnosis.side_by_side import side_by_side
 
-    if out is None:
-        raise click.UsageError("Missing option '--json': name the JSON file to write, or - for standard output.")
-    target = model or (Path("diagnosed.yaml") if out == "-" else Path(out).with_suffix(".model.yaml"))
-    written = [(target, _MARK), *([] if out == "-" else [(Path(out), SCHEMA)]), *([(report, _PAGE)] if report else [])]
+    target = model or _model_of(out)
+    written = [(target, _MARK)] if target else []
+    written += [] if out in (None, "-") else [(Path(str(out)), SCHEMA)]
+    written += [(report, _PAGE)] if report else []
     check_output_paths(written, inputs=(*recordings, *map(sidecar_path, recordings), scenario))
     made = read_scenario(edited(scenario, settings), catalog_for(scenario, catalogs), seed=seed)
     read = _read(recordings)
     with stages("diagnose") as progress, side_by_side(workers or min(os.cpu_count() or 1, _MOST_WORKERS)):
         outcome = diagnosed(made, read, seed=seed, progress=progress)
     data = outcome.as_json() if isinstance(outcome, MotionOutcome) else as_json(outcome.diagnosis)
-    if outcome.completes:
+    data["provenance"] = _provenance((*recordings, *map(sidecar_path, recordings), scenario), scenario, catalogs, seed)
+    if outcome.completes and target is not None:
         text = scenario_text(
             outcome.completed, title=made.title, operating_point=made.document.data.get("operating_point", {}),
             head=_HEAD,
         )  # fmt: skip
         write_scenario(target, text, overwrite=True)
         data["model"] = str(target)
-    text = json.dumps(data, indent=2, ensure_ascii=False) + "\n"
     if report is not None:
         again = _command(recordings, scenario, settings=settings, seed=seed)
         page = _page(outcome, title=made.title, command=again, model=_named(data["model"]), seed=seed)
         with whole_file(report) as partial:
             partial.write_text(page, encoding="utf-8", newline="\n")
     if out == "-":
-        click.echo(text, nl=False)
+        click.echo(json_text(data), nl=False)
         return
-    with whole_file(Path(out)) as partial:
-        partial.write_text(text, encoding="utf-8", newline="\n")
-    click.echo("\n".join(_summary(outcome)))
-    for path in (out, report, data["model"]):
+    click.echo("\n".join(_answer(outcome, data, made.rig, seed=seed)))
+    if out is not None:
+        write_json(json_text(data), out)
+    for path in (report, data["model"]):
         if path is not None:
             click.echo(f"wrote {path}")
 
 
-def _summary(outcome: Outcome | MotionOutcome) -> Iterator[str]:
-    """Yield the verdict and the remarks."""
+def _model_of(out: str | None) -> Path | None:
+    """Return the file of the completed scenario where ``--model`` names none; None without JSON."""
+    if out is None:
+        return None
+    return Path("diagnosed.yaml") if out == "-" else Path(out).with_suffix(".model.yaml")
+
+
+def _provenance(inputs: Sequence[Path], scenario: Path, catalogs: Sequence[Path], seed: int) -> dict[str, Any]:
+    from torquerig.reporting.json_results.provenance import provenance_of
+    from torquerig.reporting.json_results.values import plain_values
+
+    made = provenance_of(inputs, seed=seed, catalogs=catalog_folders(scenario, catalogs))
+    plain: dict[str, Any] = plain_values(made)[0]
+    return plain
+
+
+def _answer(outcome: Outcome | MotionOutcome, data: Mapping[str, Any], nominal: Rig, *, seed: int) -> list[str]:
+    """Return what is missing, how large, how sure, and what to do next."""
     from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
+    from torquerig.diagnosis.showing.effect_at_sensor import effect_at_sensor
+    from torquerig.reporting.diagnosis.answer_text import answer_lines
     from torquerig.reporting.diagnosis.sentences import FEATURE_RESIDUAL, MOTION_RESIDUAL, verdict_sentence
 
     measure = MOTION_RESIDUAL if isinstance(outcome, MotionOutcome) else FEATURE_RESIDUAL
-    yield verdict_sentence(outcome.diagnosis, outcome.left, measure=measure)
-    yield from outcome.diagnosis.remarks
+    sentence = verdict_sentence(outcome.diagnosis, outcome.left, measure=measure)
+    effect = effect_at_sensor(outcome, nominal=nominal, seed=seed)
+    shown = "" if effect is None else effect.sentence
+    return answer_lines(data, verdict=sentence, effect=shown, remarks=outcome.diagnosis.remarks)
 
 
 def _read(paths: tuple[Path, ...]) -> list[Recording]:
@@ -126,12 +150,27 @@ def _read(paths: tuple[Path, ...]) -> list[Recording]:
 
 
 def _check(
-    recordings: tuple[Path, ...], scenario: Path, settings: tuple[str, ...], catalogs: tuple[Path, ...], *, seed: int
-) -> None:
+    recordings: tuple[Path, ...], scenario: Path, settings: tuple[str, ...], catalogs: tuple[Path, ...], *,
+    seed: int, out: str | None,
+) -> None:  # fmt: skip
     from torquerig.cli.diagnose_check import checked
 
+    inputs = (*recordings, *map(sidecar_path, recordings), scenario)
+    if out not in (None, "-"):
+        mark = '"schema": "torquerig.diagnose-check/'
+        check_output_paths([(Path(str(out)), mark)], inputs=inputs, what="JSON of torquerig diagnose --check")
     made = read_scenario(edited(scenario, settings), catalog_for(scenario, catalogs), seed=seed)
-    click.echo(checked(made, _read(recordings)))
+    text = checked(made, _read(recordings))
+    if out != "-":
+        click.echo(text)
+    if out is not None:
+        from torquerig.reporting.json_results.diagnosis import DiagnoseCheckResult
+        from torquerig.reporting.json_results.document import json_document
+        from torquerig.reporting.json_results.provenance import provenance_of
+
+        origin = provenance_of(inputs, seed=seed, catalogs=catalog_folders(scenario, catalogs))
+        document = json_document("diagnose-check", DiagnoseCheckResult(tuple(text.splitlines())), origin)
+        write_json(json_text(document), out)
 
 
 def _page(outcome: Outcome | MotionOutcome, *, title: str, command: str, model: str | None, seed: int) -> str:

@@ -10,9 +10,11 @@ import click
 from torquerig.catalog.motor import Motor
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option, edited, profile_option, profile_settings, set_option
+from torquerig.cli.json_option import json_option
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import read_recording
+from torquerig.reporting.json_results.sizing import DutyResult, duty_result
 from torquerig.rig.leading_part import leading_motor
 from torquerig.rig.parts import WormGear
 from torquerig.scenario.checks.recorded_load import refuse_unstated_load
@@ -65,11 +67,12 @@ class _DutyOfMotor:
 @profile_option
 @set_option
 @catalog_option
+@json_option("duty", reads=("scenario", "recording"))
 def command(
     *, scenario: Path, motor: str | None, gearbox: str | None, recording: Path | None, duration: str | None,
     ambient: float, seed: int, picture: Path | None, force: bool, profile: str | None, settings: tuple[str, ...],
     catalogs: tuple[Path, ...],
-) -> None:  # fmt: skip
+) -> DutyResult:  # fmt: skip
     """Compute torque, speed and winding temperature of SCENARIO's motor when its profile repeats without end.
 
     There is no simulation: speed and torque follow from inertias, loads, friction and gears. Values that the catalog
@@ -113,6 +116,9 @@ def command(
         click.echo(wrapped(worm.losses))
     if picture is not None:
         _draw(of_motor, copies, picture, ambient=ambient, force=force)
+    return duty_result(
+        judged, copies, title=of_motor.title, ambient=ambient, flagged=of_motor.flags, not_used=of_motor.unused
+    )
 
 
 def _print_duty(of_motor: _DutyOfMotor, copies: ThermalVariants, judged: DutyTemperatures, *, ambient: float) -> None:

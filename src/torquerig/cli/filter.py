@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import click
@@ -19,11 +19,12 @@ from torquerig.cli.filter_evaluation import (
     stated_scale,
 )
 from torquerig.cli.filter_text import print_effects
+from torquerig.cli.json_option import json_option
 from torquerig.cli.suspicions import print_suspicions, print_suspicions_of_start
 from torquerig.errors import InputError, UnitError, did_you_mean
 from torquerig.filters.chains.filter_chain import Chain
 from torquerig.filters.chains.renamed_chains import current_chain
-from torquerig.filters.filter_effect import chain_effect
+from torquerig.filters.filter_effect import FilterEffect, chain_effect
 from torquerig.metrics.truth_error import true_load, truth_error
 from torquerig.orders.angle.measured_angle import has_motion
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
@@ -35,6 +36,9 @@ from torquerig.recordings.inspection.recording_info import recording_info
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.set_point import missing_speed, set_point_speed
 from torquerig.renamed import current_name
+from torquerig.reporting.json_results.filter import ChainEvaluation, FilterResult, chain_effects
+from torquerig.reporting.json_results.simulate import named
+from torquerig.reporting.json_results.values import Quantity
 from torquerig.scenario.recorded.recorded_drive import RecordedDrive, chains_for, recorded_drive
 from torquerig.units import parse_quantity
 
@@ -83,12 +87,13 @@ _AS_THEY_ARE = "suspicious samples are filtered as they are"
 @click.option("--force", is_flag=True, help="Overwrite an earlier recording or picture of that name.")
 @channel_option
 @catalog_option
+@json_option("filter", reads=("recording", "filters", "scenario"))
 def command(
     *, recording: Path, names: tuple[str, ...], filters: Path | None, motor: str | None, ratio: float | None,
     gearbox: str | None, scenario: Path | None, out: Path | None, picture: Path | None, evaluate: bool, judge: bool,
     hit_decay: float | None, bands: tuple[float, ...] | None, block: str | None, force: bool, channel: str | None,
     catalogs: tuple[Path, ...],
-) -> None:  # fmt: skip
+) -> FilterResult:  # fmt: skip
     """Apply filter chains to RECORDING and show the change of standard deviation, mean, energy and order lines.
 
     A smaller standard deviation does not prove less noise: any twenty notches reduce it. The error to the true load is
@@ -117,22 +122,43 @@ def command(
         _refuse_picture_without_speed(sheet)
     blocking = blocks_for(stream, chains, block=None if block is None else _seconds(block))
     if blocking is None:
-        before_and_after = _filtered_whole(recording, chains, drive, channel=channel, out=out, force=force)
+        made = _filtered_whole(recording, chains, drive, channel=channel, out=out, force=force)
     else:
-        before_and_after = _filtered_in_blocks(stream, chains, kinematics, blocking, out=out, force=force)
+        made = _filtered_in_blocks(stream, chains, kinematics, blocking, out=out, force=force)
     for sentence in drive.assumed:
         click.echo(wrapped(sentence))
+    evaluations: tuple[ChainEvaluation, ...] = ()
     if evaluate:
         where = "" if blocking is None else ", a section from the middle"
-        print_evaluations(before_and_after[0], chains, kinematics, panels, where=where, force=force, scale=scale)
+        evaluations = print_evaluations(made.before, chains, kinematics, panels, where=where, force=force, scale=scale)
     elif picture is not None:
-        _draw(*before_and_after, chains[0], kinematics, picture, force=force)
+        _draw(made.before, made.after, chains[0], kinematics, picture, force=force)
+    pictures = list(panels.values()) if evaluate else [picture] if picture is not None else []
+    first, unit = made.effects[0], made.before.torque_unit()
+    return FilterResult(
+        recording=sheet.name, samples=made.samples, std=Quantity(first.std_before, unit),
+        mean=Quantity(first.mean_before, unit), speed_origin=first.speed_origin,
+        chains=chain_effects(chains, made.effects, made.errors, unit=unit), evaluations=evaluations,
+        notes=tuple(drive.assumed), written=named([*made.written, *pictures]),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Filtered:
+    """The recording (or a section of it) before and after the first chain, and effects and errors of each chain."""
+
+    before: Recording
+    after: Recording
+    effects: Sequence[FilterEffect]
+    errors: Sequence[float] | None
+    samples: int
+    written: Sequence[Path]
 
 
 def _filtered_whole(
     path: Path, chains: Sequence[Chain], drive: RecordedDrive, *, channel: str | None, out: Path | None, force: bool
-) -> tuple[Recording, Recording]:
-    """Filter, print and write; return the recording before and after the first chain."""
+) -> _Filtered:
+    """Filter, print and write."""
     kinematics, before = drive.kinematics, read_recording(path)
     before = replace(before, run=drive.run_of(before.run))
     before = before if channel is None else before.comparing(channel)
@@ -142,27 +168,22 @@ def _filtered_whole(
         chain_effect(before, after, ratio=kinematics.ratio, lines=chain.lines)
         for chain, after in zip(chains, results, strict=True)
     ]
-    known = true_load(before) is not None
-    print_effects(
-        path,
-        before,
-        chains,
-        effects,
-        [truth_error(after, before) for after in results] if known else None,
-        samples=before.samples,
-        ratio=kinematics.ratio,
-    )
+    errors = None if true_load(before) is None else [truth_error(after, before) for after in results]
+    print_effects(path, before, chains, effects, errors, samples=before.samples, ratio=kinematics.ratio)
+    written: Sequence[Path] = []
     if out is not None:
         written = write_recording(results[0], out, overwrite=force)
         click.echo(f"wrote {' and '.join(str(path) for path in written)}")
-    return before, results[0]
+    return _Filtered(
+        before=before, after=results[0], effects=effects, errors=errors, samples=before.samples, written=written
+    )
 
 
 def _filtered_in_blocks(
     stream: RecordingStream, chains: Sequence[Chain], kinematics: Kinematics, blocking: Blocking, *, out: Path | None,
     force: bool,
-) -> tuple[Recording, Recording]:  # fmt: skip
-    """Filter and write block by block; return a section of the recording before and after the first chain."""
+) -> _Filtered:  # fmt: skip
+    """Filter and write block by block; before and after are a section of the recording."""
     print_suspicions_of_start(stream, note=_AS_THEY_ARE)
     made = filter_long(stream, chains, blocking, ratio=kinematics.ratio, out=out, force=force)
     seconds, overlap = (samples / stream.sample_rate for samples in (blocking.samples, blocking.overlap))
@@ -176,7 +197,10 @@ def _filtered_in_blocks(
         samples=made.samples,
         ratio=kinematics.ratio,
     )
-    return made.section.before, made.section.after[0]
+    return _Filtered(
+        before=made.section.before, after=made.section.after[0], effects=made.effects, errors=made.errors,
+        samples=made.samples, written=made.written,
+    )  # fmt: skip
 
 
 def _check_targets(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import click
@@ -32,6 +32,7 @@ class LongResult:
     errors: tuple[float, ...] | None
     section: FilteredBlock
     samples: int
+    written: Sequence[Path] = ()
 
 
 def blocks_for(stream: RecordingStream, chains: Sequence[Chain], *, block: float | None) -> Blocking | None:
@@ -59,12 +60,13 @@ def filter_long(
     """Filter block by block, write the output of the first chain to ``out`` if given, and return the result."""
     collected = _BlockResults()
     blocks = collected.collecting(filtered_blocks(chains, stream, blocking, ratio=ratio), stream)
+    written: Sequence[Path] = ()
     if out is not None:
         written = write_blocks((block.after[0] for block in blocks), out, overwrite=force)
         click.echo(f"wrote {' and '.join(str(path) for path in written)}")
     for _ in blocks:
         pass
-    return collected.result()
+    return replace(collected.result(), written=written)
 
 
 class _BlockResults:

@@ -21,6 +21,7 @@ from torquerig.metrics.truth_error import TRUE_LOADS
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.plain_table import fixed, grid, wrapped
 from torquerig.recordings.recording import Recording
+from torquerig.reporting.json_results.filter import ChainEvaluation, chain_evaluation
 from torquerig.units import parse_quantity
 
 
@@ -80,12 +81,12 @@ def print_evaluations(
     where: str,
     force: bool,
     scale: LoadScale,
-) -> None:
-    """Print the evaluation of each chain on ``recording`` and draw its figure; ``where`` is its place in the file."""
+) -> tuple[ChainEvaluation, ...]:
+    """Print, draw and return the evaluation of each chain on ``recording``; ``where`` is its place in the file."""
     from torquerig.reporting.figures.evaluation_figure import evaluation_figure
     from torquerig.reporting.figures.picture import write_picture
 
-    known = kinematics.lines(KNOWN_HARMONICS)
+    known, evaluations = kinematics.lines(KNOWN_HARMONICS), []
     for chain in chains:
         made = evaluate_filter(chain, recording, ratio=kinematics.ratio, known=known, scale=scale)
         click.echo(f"{chain.name}, evaluated on {recording.duration:.4g} s{where}:")
@@ -93,6 +94,8 @@ def print_evaluations(
             click.echo(part + "\n")
         write_picture(evaluation_figure(made), targets[chain.name], overwrite=force)
         click.echo(f"wrote {targets[chain.name]}\n")
+        evaluations.append(chain_evaluation(made))
+    return tuple(evaluations)
 
 
 def placebo_text(made: FilterEvaluation) -> str:

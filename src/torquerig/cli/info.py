@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Collection, Sequence
 from contextlib import suppress
-from dataclasses import asdict
+from dataclasses import replace
 from math import ceil, floor, isfinite, log10, pi
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
 from torquerig.catalog.search import catalog_for
 from torquerig.catalog.winding import winding_of
 from torquerig.cli.contents_shown import known_by, show_contents, show_reading
+from torquerig.cli.json_option import Partly, json_option, wants_json
 from torquerig.cli.recordings_named import recordings_in
 from torquerig.cli.suspicions import print_suspicions, suspicions_in
 from torquerig.errors import InputError, RecordingError, TorquerigError, UnknownNameError
@@ -27,6 +27,7 @@ from torquerig.recordings.inspection.file_contents import file_contents
 from torquerig.recordings.inspection.recording_info import RecordingInfo, stream_info
 from torquerig.recordings.inspection.stretch_faults import head_of, sound_stretch
 from torquerig.recordings.recording import Recording
+from torquerig.reporting.json_results.info import InfoResult, RecordingResult, unreadable, unusable, usable
 
 if TYPE_CHECKING:
     from torquerig.orders.angle.best_angle import MotorSpeed
@@ -36,12 +37,12 @@ LARGE = 2**26
 
 
 @click.command("info")
-@click.argument("recordings", nargs=-1, required=True, type=click.Path(path_type=Path))
-@click.option("--json", "as_json", is_flag=True, help="Print all of it as JSON instead of text.")
+@click.argument("recordings", nargs=-1, required=False, type=click.Path(path_type=Path))
 @click.option("--picture", type=click.Path(path_type=Path), default=None,
               help="Draw channels, spectrum and levels of one recording: .svg or .png.")  # fmt: skip
 @click.option("--force", is_flag=True, help="Overwrite an earlier picture of that name.")
-def command(*, recordings: tuple[Path, ...], as_json: bool, picture: Path | None, force: bool) -> None:
+@json_option("info", reads=("recordings",), bare="recordings")
+def command(*, recordings: tuple[Path, ...], picture: Path | None, force: bool) -> InfoResult | Partly:
     """Show channels, rate, length, levels and speed of RECORDINGS, and their faults with sample numbers.
 
     A folder stands for all recordings in it; texts without a table of numbers are listed as no recordings. Of a file
@@ -51,6 +52,8 @@ def command(*, recordings: tuple[Path, ...], as_json: bool, picture: Path | None
 
     Example: torquerig info run1.tdms
     """
+    if not recordings:
+        raise click.UsageError("Missing argument 'RECORDINGS...'.", ctx=click.get_current_context())
     named = [path for one in recordings for path in recordings_in(one)]
     # info run.* names the sidecars too
     paths = [path for path in named if path.suffix.lower() != ".yaml" or len(named) == 1]
@@ -63,14 +66,16 @@ def command(*, recordings: tuple[Path, ...], as_json: bool, picture: Path | None
         if len(paths) > 1:
             raise InputError(f"{picture}: one picture shows one recording, and {len(paths)} are named; name one")
         check_picture(picture, overwrite=force)
-    if as_json:
-        found = [_without_nan(_as_dict(path)) for path in paths]
-        click.echo(json.dumps(found, indent=2, ensure_ascii=True, allow_nan=False))
-        unread = [one for one in found if "columns" not in one and Path(one["path"]) not in may_be_other]
-        if unread:
-            raise RecordingError(f"{len(unread)} of {len(paths)} files cannot be read; the JSON says why")
-        return
-    _show_all(paths, may_be_other, picture, force=force)
+    if not wants_json():
+        _show_all(paths, may_be_other, picture, force=force)
+        return InfoResult(())
+    result = InfoResult(tuple(recording_result(path) for path in paths))
+    if picture is not None:
+        _show_all(paths, may_be_other, picture, force=force)
+    unread = [one for one in result.recordings if not one.columns and Path(one.path) not in may_be_other]
+    if unread:
+        return Partly(result, RecordingError(f"{len(unread)} of {len(paths)} files cannot be read; the JSON says why"))
+    return result
 
 
 def _show_all(paths: Sequence[Path], may_be_other: Collection[Path], picture: Path | None, *, force: bool) -> None:
@@ -117,45 +122,21 @@ def _uses(stream: RecordingStream) -> dict[str, str]:
     }
 
 
-def _as_dict(path: Path) -> dict[str, Any]:
+def recording_result(path: Path) -> RecordingResult:
     """Return all that is known of one file; a file that cannot be read is its path and the problem."""
     try:
-        found = file_contents(path).as_dict()
+        contents = file_contents(path)
     except TorquerigError as error:
-        return {"path": str(path), "problem": str(error)}
-    found |= {"sample_rate_Hz": None, "suspicions": []}
-    if found["problem"]:
-        return found
+        return unreadable(path.as_posix(), str(error))
+    if contents.problem:
+        return unusable(contents)
     try:
         stream = open_stream(path)
         info, head = stream_info(stream), head_of(stream)
     except RecordingError as error:
-        return found | {"problem": str(error)}
+        return unusable(replace(contents, problem=str(error)))
     speed, text = _speed(stream, head)
-    columns = [one | {"rate": info.sample_rate, "duration": info.duration} for one in found["columns"]]
-    for one in columns:
-        entry = stream.entries.get(one.get("name", ""))
-        stated = {} if entry is None else {"of": entry.of, "role": entry.role}
-        one |= {key: value for key, value in stated.items() if value}
-    return found | {
-        "columns": columns,
-        "notes": list(stream.table.notes),
-        "sample_rate_Hz": info.sample_rate,
-        "span_s": info.span,
-        "pauses": None if info.pauses is None else asdict(info.pauses),
-        "motor_speed_rpm": None if speed is None else speed * 30 / pi,
-        "motor_speed": text,
-        "suspicions": suspicions_in(info, head)[0],
-    }
-
-
-def _without_nan(value: Any) -> Any:
-    """Return nested values in which numbers that are not finite, which JSON cannot write, are None."""
-    if isinstance(value, dict):
-        return {key: _without_nan(one) for key, one in value.items()}
-    if isinstance(value, list | tuple):
-        return [_without_nan(one) for one in value]
-    return None if isinstance(value, float) and not isfinite(value) else value
+    return usable(contents, stream, info, speed=speed, speed_text=text, suspicions=suspicions_in(info, head)[0])
 
 
 def _show(path: Path, picture: Path | None, *, force: bool) -> None:

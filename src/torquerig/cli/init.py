@@ -8,14 +8,17 @@ from pathlib import Path
 import click
 
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
+from torquerig.cli.json_option import json_option
 from torquerig.errors import InputError
 from torquerig.plain_table import wrapped
+from torquerig.reporting.json_results.simulate import WrittenResult, named
 from torquerig.whole_file import clear_leftovers, refuse_unwritable, remove, temporary_name
 
 
 @click.command("init")
 @click.argument("folder", type=click.Path(path_type=Path), default=Path())
-def command(folder: Path) -> None:
+@json_option("init")
+def command(folder: Path) -> WrittenResult:
     """Copy the shipped catalogs and scenarios into FOLDER (default: the current one); no file is overwritten."""
     sources = {"catalogs": shipped_folder(), "scenarios": shipped_scenarios()}
     there = [str(folder / name) for name in sources if (folder / name).exists()]
@@ -34,3 +37,4 @@ def command(folder: Path) -> None:
     click.echo(f"catalogs and scenarios are in {folder.resolve()}; now: torquerig compare {study}")
     rigs = [path.stem for path in sorted(study.parent.glob("*.yaml")) if "\nrig:" in path.read_text(encoding="utf-8")]
     click.echo(wrapped(f"rigs in scenarios/: {', '.join(rigs)}"))
+    return WrittenResult(named([folder / name for name in sources]), (f"rigs in scenarios/: {', '.join(rigs)}",))

@@ -7,11 +7,13 @@ from pathlib import Path
 import click
 
 from torquerig.cli.common_options import quantity_in
+from torquerig.cli.json_option import json_option
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import wrapped
 from torquerig.recordings.files import check_target, write_recording
 from torquerig.recordings.joining.join import join_recordings, split_recording
 from torquerig.recordings.joining.tracks import LONGEST_GAP
+from torquerig.reporting.json_results.simulate import WrittenResult, named
 from torquerig.units import parse_quantity
 
 
@@ -28,10 +30,11 @@ from torquerig.units import parse_quantity
 @click.option("--split", is_flag=True,
               help="Write each stretch between longer pauses as a recording: OUT-001, OUT-002, ...")  # fmt: skip
 @click.option("--force", is_flag=True, help="Overwrite an earlier recording of that name.")
+@json_option("join", reads=("recordings",))
 def command(
     *, recordings: tuple[Path, ...], out: Path, rate: str | None, align: str, bridge: float | None, split: bool,
     force: bool,
-) -> None:  # fmt: skip
+) -> WrittenResult:  # fmt: skip
     """Bring the columns of RECORDINGS to one sample rate and write them as one recording.
 
     For one file whose columns have several rates or uneven times, and for several files of one run. Each thing that is
@@ -50,19 +53,20 @@ def command(
         raise InputError(f"--bridge: {bridge:g} s fills no pause; write for example '2 s'")
     longest_gap = LONGEST_GAP if bridge is None else bridge
     if split:
-        _write_stretches(recordings, out, rate=common, longest_gap=longest_gap, force=force)
-        return
+        return _write_stretches(recordings, out, rate=common, longest_gap=longest_gap, force=force)
     check_target(out, overwrite=force, inputs=recordings)
     joined = join_recordings(recordings, rate=common, align=align, longest_gap=longest_gap)
     for note in joined.notes:
         click.echo(wrapped(note))
-    for path in write_recording(joined.recording, out, overwrite=force):
+    written = write_recording(joined.recording, out, overwrite=force)
+    for path in written:
         click.echo(f"wrote {path}")
+    return WrittenResult(named(written), tuple(joined.notes))
 
 
 def _write_stretches(
     recordings: tuple[Path, ...], out: Path, *, rate: float | None, longest_gap: float, force: bool
-) -> None:
+) -> WrittenResult:
     """Write the stretches of one file between its pauses; nothing is written where one target cannot be."""
     if len(recordings) > 1:
         raise InputError(f"--split cuts one recording, and {len(recordings)} are named; name one")
@@ -71,8 +75,10 @@ def _write_stretches(
     targets = [out.with_name(f"{out.stem}-{number:0{digits}d}{out.suffix}") for number in range(1, len(parts) + 1)]
     for target in targets:
         check_target(target, overwrite=force, inputs=recordings)
-    for note in dict.fromkeys(note for part in parts for note in part.notes):
+    notes, written = tuple(dict.fromkeys(note for part in parts for note in part.notes)), []
+    for note in notes:
         click.echo(wrapped(note))
     for part, target in zip(parts, targets, strict=True):
-        write_recording(part.recording, target, overwrite=force)
+        written += write_recording(part.recording, target, overwrite=force)
     click.echo(f"wrote {len(parts)} recordings: {targets[0]} to {targets[-1].name}, each with its sidecar")
+    return WrittenResult(named(written), notes)

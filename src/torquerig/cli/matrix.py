@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING
 
 import click
 
+from torquerig.cli.json_option import json_option, wants_json
 from torquerig.errors import InputError
 from torquerig.whole_file import refuse_unwritable
 
 if TYPE_CHECKING:
     from torquerig.decide.matrix_analysis import MatrixAnalysis
     from torquerig.document import Document
+    from torquerig.reporting.json_results.matrix import MatrixResult
 
 ENDINGS = (".html", ".md", ".xlsx", ".yaml")
 
@@ -29,6 +31,7 @@ ENDINGS = (".html", ".md", ".xlsx", ".yaml")
               help="Only show how this cell was computed; repeatable.")  # fmt: skip
 @click.option("--before", type=click.Path(path_type=Path), metavar="FILE",
               help="Only show the changes since this version of FILE, and their effect on the ranking.")  # fmt: skip
+@json_option("matrix", reads=("file", "before"))
 def command(
     file: Path,
     *,
@@ -37,7 +40,7 @@ def command(
     force: bool,
     traced: Sequence[tuple[str, str]],
     before: Path | None,
-) -> None:
+) -> MatrixResult | None:
     """Compute the matrices of FILE, the confidence of the winner, and a list of errors in the matrices.
 
     FILE is a YAML file of published tables (scenarios/reference_tables.yaml), a decision matrix
@@ -45,9 +48,13 @@ def command(
     workbook or CSV file with a Pugh or Kesselring matrix is read by its shape, and the report says how it was read.
     """
     if template is not None:
+        if wants_json():
+            raise InputError("--template writes a new workbook and computes nothing; remove --json")
         _write_template(template, file, force=force, others=bool(outs or traced or before))
-        return
+        return None
+    from torquerig.decide.matrix_io.matrix_table import TableSet
     from torquerig.decide.matrix_io.opened import open_matrix
+    from torquerig.reporting.json_results.matrix import matrix_result, tables_result
 
     opened = open_matrix(file)
     document = opened.document
@@ -59,28 +66,35 @@ def command(
         from torquerig.decide.matrix_io.matrix_report import tables_text
 
         click.echo(tables_text(opened), nl=False)
-        return
+        return tables_result(opened.tables or TableSet(tables=()), opened.understood, name=file.stem)
     for path in outs:
         check_target(path, force=force)
     worked = _worked_out(document)
-    click.echo(_text(worked, traced, before), nl=False)
+    shown = _texts(worked, traced, before)
+    click.echo("\n\n".join(shown) + "\n" if shown else _analysis_text(worked), nl=False)
     for path in outs:
         from torquerig.reporting.matrix.files import write_matrix
 
         write_matrix(worked, path)
         click.echo(f"wrote {path}", err=True)
+    return matrix_result(worked, name=file.stem, texts=shown, written=[path.as_posix() for path in outs])
 
 
-def _text(worked: MatrixAnalysis, traced: Sequence[tuple[str, str]], before: Path | None) -> str:
-    from torquerig.decide.matrix_io.certainty_text import ranking_changes_text, trace_text
+def _analysis_text(worked: MatrixAnalysis) -> str:
     from torquerig.decide.matrix_io.matrix_report import matrix_analysis_text
+
+    return matrix_analysis_text(worked)
+
+
+def _texts(worked: MatrixAnalysis, traced: Sequence[tuple[str, str]], before: Path | None) -> list[str]:
+    from torquerig.decide.matrix_io.certainty_text import ranking_changes_text, trace_text
     from torquerig.decide.trace import trace
     from torquerig.decide.version_comparison import ranking_changes
 
     parts = [trace_text(trace(worked, *pair)) for pair in traced]
     if before is not None:
         parts.append(ranking_changes_text(ranking_changes(_worked_out(_matrix_document(before)), worked)))
-    return "\n\n".join(parts) + "\n" if parts else matrix_analysis_text(worked)
+    return parts
 
 
 def _worked_out(document: Document) -> MatrixAnalysis:

@@ -10,9 +10,11 @@ import click
 
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option, edited, set_option
+from torquerig.cli.json_option import json_option
 from torquerig.cli.modes_text import modes_text, poles_text
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import cut, grid, wrapped
+from torquerig.reporting.json_results.modes import ModesResult, modes_result
 from torquerig.rig.parts import ImposedMotion, Motor
 from torquerig.rig.reading_place import effort_unit
 from torquerig.scenario.kinematics import kinematics_of
@@ -56,10 +58,11 @@ NO_SPEED_TOP = 3000 * pi / 30  # [rad/s] highest speed of the diagram for a rig 
 @click.option("--force", is_flag=True, help="Overwrite an earlier picture of that name.")
 @set_option
 @catalog_option
+@json_option("modes", reads=("scenario",))
 def command(
     *, scenario: Path, speed_max: str | None, rows: int, rate: str | None, seed: int, picture: Path | None, force: bool,
     settings: tuple[str, ...], catalogs: tuple[Path, ...],
-) -> None:  # fmt: skip
+) -> ModesResult:  # fmt: skip
     """Show the modes of SCENARIO's rig, the stability margins of its speed loop, and its critical speeds.
 
     At a critical speed an order line has the frequency of a mode. The rig is linearised about its operating point; the
@@ -86,7 +89,7 @@ def command(
     if not twin.reads_a_spring:
         imposed = isinstance(made.rig.part(made.rig.measured), ImposedMotion)
         click.echo(wrapped((_IMPOSED if imposed else _NO_TORQUE).format(made.rig.measured)))
-        return
+        return modes_result(twin, (), title=made.title, top_speed_rpm=top * 30 / pi, unit=effort_unit(made.rig))
     found = twin.crossings(lines, top_speed=top)
     if loops := twin.margins():
         click.echo("\n".join(wrapped(_margins(one)) for one in loops) + "\n")
@@ -103,6 +106,7 @@ def command(
         figure = modes_figure(twin, lines, found, top_speed=top, title=made.title)
         write_picture(figure, picture, overwrite=force)
         click.echo(f"wrote {picture}")
+    return modes_result(twin, found, title=made.title, top_speed_rpm=top * 30 / pi, unit=effort_unit(made.rig))
 
 
 def _read(text: str, unit: str, option: str) -> float:

@@ -9,10 +9,12 @@ import click
 
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option, set_option
+from torquerig.cli.json_option import json_option
 from torquerig.cli.progress import drive_progress
 from torquerig.document import read_document
 from torquerig.errors import InputError
 from torquerig.plain_table import wrapped
+from torquerig.reporting.json_results.draws import OptimiseResult, optimise_result
 from torquerig.reporting.study.optimum_text import front_text, optimum_text
 from torquerig.scenario.overrides import overridden
 from torquerig.study.candidates import compared_gearboxes, left_out_gearboxes, refuse_pinned
@@ -55,11 +57,12 @@ class _Range(_PairType):
               help="Speed loops to simulate for each gearbox, about.")  # fmt: skip
 @set_option
 @catalog_option
+@json_option("optimise", reads=("scenario",))
 def command(
     *, scenario: Path, motor: str | None, gearboxes: tuple[str, ...], crossover: tuple[float, float],
     integral_corner: tuple[float, float], margin: float, evaluations: int, settings: tuple[str, ...],
     catalogs: tuple[Path, ...],
-) -> None:  # fmt: skip
+) -> OptimiseResult:  # fmt: skip
     """Find the speed loop of least reading error for one motor on each gearbox, behind each filter of SCENARIO's study.
 
     The table has the choices that no other beats in reading error, delay and price together.
@@ -85,8 +88,14 @@ def command(
     best = front(found.tried)
     click.echo(wrapped(optimum_text(best, found.by_rule, unit=study.effort_unit)) + "\n")
     click.echo(front_text(best, unit=study.effort_unit))
-    if not gearboxes and (note := left_out_gearboxes(study)):
+    note = "" if gearboxes else left_out_gearboxes(study)
+    if note:
         click.echo("\n" + wrapped(note))
     if found.left_out:
         listed = "; ".join(f"{one} ({why})" for one, why in found.left_out.items())
         click.echo("\n" + wrapped(f"Cannot run: {listed}."))
+    sentence = optimum_text(best, found.by_rule, unit=study.effort_unit)
+    return optimise_result(
+        found, best, motor=name, seed=study.settings.seed, unit=study.effort_unit, sentence=sentence,
+        notes=[note] if note else [],
+    )  # fmt: skip

@@ -10,6 +10,7 @@ import click
 import numpy as np
 
 from torquerig.cli.common_options import catalog_option, channel_option
+from torquerig.cli.json_option import json_option
 from torquerig.cli.suspicions import print_suspicions
 from torquerig.errors import InputError, RecordingError, UnitError
 from torquerig.orders.analysis.angle_resampling import FEWEST_TURNS, output_turns, over_angle
@@ -26,10 +27,18 @@ from torquerig.plain_table import cut, fixed, grid, rms_size, wrapped
 from torquerig.recordings.files import read_recording
 from torquerig.recordings.inspection.recording_info import recording_info
 from torquerig.recordings.recording import Recording
+from torquerig.reporting.json_results.ordermap import (
+    KnownOrder,
+    OrdermapResult,
+    found_lines,
+    lines_over_frequency,
+)
+from torquerig.reporting.json_results.values import Missing, Quantity
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.recorded.recorded_drive import recorded_drive
 from torquerig.units import parse_quantity
 
+_AS_THEY_ARE = "the lines are those of the samples as they are"
 _ENDS = (1, 99)  # [%] quantiles of the speed that are printed as its range
 
 
@@ -55,10 +64,11 @@ _ENDS = (1, 99)  # [%] quantiles of the speed that are printed as its range
 @click.option("--force", is_flag=True, help="Overwrite an earlier picture of that name.")
 @channel_option
 @catalog_option
+@json_option("ordermap", reads=("recording", "scenario"))
 def command(
     *, recording: Path, motor: str | None, ratio: float | None, gearbox: str | None, scenario: Path | None,
     harmonics: int, mains: str, picture: Path | None, force: bool, channel: str | None, catalogs: tuple[Path, ...],
-) -> None:  # fmt: skip
+) -> OrdermapResult:  # fmt: skip
     """List the spectral lines of RECORDING and decide for each whether its order or its frequency is constant.
 
     When the speed changes, a line of the shaft keeps its order. A line of the mains or of an electronic clock keeps its
@@ -79,16 +89,17 @@ def command(
     except RecordingError as error:
         if picture is not None:
             raise
-        _print_frequencies(read, mains=grid_frequency, reason=str(error))
-        return
+        return _without_orders(read, mains=grid_frequency, reason=str(error), assumed=drive.assumed)
     turns = output_turns(angle.values, ratio=kinematics.ratio)
     found = detected_lines(read, turns, kinematics, harmonics=harmonics, mains=grid_frequency)
     click.echo(_about(read, angle, turns, kinematics))
-    click.echo(_known_table(read, turns, kinematics, lines) + "\n")
-    click.echo(_found_table(found, size=rms_size(read.torque()), unit=read.torque_unit()))
-    for sentence in (*drive.assumed, *_sentences(found, kinematics)):
+    known, size, unit = known_orders(read, turns, kinematics, lines), rms_size(read.torque()), read.torque_unit()
+    click.echo(_known_table(known, size=size, unit=unit) + "\n")
+    click.echo(_found_table(found, size=size, unit=unit))
+    notes = (*drive.assumed, *_sentences(found, kinematics))
+    for sentence in notes:
         click.echo(wrapped(sentence))
-    print_suspicions(recording_info(read), read, note="the lines are those of the samples as they are")
+    suspicious = print_suspicions(recording_info(read), read, note=_AS_THEY_ARE)
     if picture is not None:
         from torquerig.reporting.figures.order_figure import order_figure, order_picture
         from torquerig.reporting.figures.picture import write_picture
@@ -97,10 +108,15 @@ def command(
                               counted=kinematics.fastest_shaft[1], modes=_modes_of(drive.rig))  # fmt: skip
         write_picture(order_figure(shown, title=f"{read.name}: orders of the torque"), picture, overwrite=force)
         click.echo(f"wrote {picture}")
+    return OrdermapResult(
+        recording=read.name, duration_s=read.duration, speed_rpm=_speeds(read, turns, 60 * kinematics.ratio),
+        output_turns=float(turns[-1]), angle_origin=angle.origin, known=known, notes=notes,
+        lines=found_lines(found, unit=unit), suspicions=tuple(suspicious),
+    )  # fmt: skip
 
 
-def _print_frequencies(read: Recording, *, mains: float, reason: str) -> None:
-    """Print the lines over frequency alone, and why there are no orders."""
+def _without_orders(read: Recording, *, mains: float, reason: str, assumed: Sequence[str]) -> OrdermapResult:
+    """Print and return the lines over frequency alone, and why there are no orders."""
     found = frequency_lines(read, mains=mains)
     click.echo(f"{read.name}: {read.duration:.4g} s; one bin is {1 / read.duration:.3g} Hz")
     size = rms_size(read.torque())
@@ -114,6 +130,11 @@ def _print_frequencies(read: Recording, *, mains: float, reason: str) -> None:
     else:
         click.echo("no line exceeds the noise floor")
     click.echo(wrapped(f"no orders: {reason}"))
+    return OrdermapResult(
+        recording=read.name, duration_s=read.duration, speed_rpm=Missing(reason), output_turns=Missing(reason),
+        angle_origin="", known=(), lines=lines_over_frequency(found, unit=read.torque_unit()),
+        notes=(*assumed, f"no orders: {reason}"), suspicions=(),
+    )  # fmt: skip
 
 
 def _modes_of(rig: Rig | None) -> dict[str, float]:
@@ -127,9 +148,7 @@ def _modes_of(rig: Rig | None) -> dict[str, float]:
 
 
 def _about(read: Recording, angle: MotorAngle, turns: np.ndarray, kinematics: Kinematics) -> str:
-    step = max(round(0.05 * read.sample_rate), 1)
-    speeds = np.diff(turns[::step]) * read.sample_rate / step
-    low, high = np.percentile(speeds, _ENDS) if speeds.size else (0.0, 0.0)
+    low, high = _speeds(read, turns, 1.0)
     travel = read.run.travel_per_turn if read.torque_unit() == "N" else None
     if travel is None:
         per_turn, unit, moved = 60 * kinematics.ratio, "rpm", kinematics.input_name
@@ -141,6 +160,14 @@ def _about(read: Recording, angle: MotorAngle, turns: np.ndarray, kinematics: Ki
         f"{1 / turns[-1]:.3g} orders or {1 / read.duration:.3g} Hz"
         f"{_shafts(kinematics)}{_slow_output(turns, kinematics)}"
     )
+
+
+def _speeds(read: Recording, turns: np.ndarray, per_turn: float) -> tuple[float, float]:
+    """Return a low and a high quantile of the output turns per second, times ``per_turn``."""
+    step = max(round(0.05 * read.sample_rate), 1)
+    speeds = np.diff(turns[::step]) * read.sample_rate / step
+    low, high = np.percentile(speeds, _ENDS) if speeds.size else (0.0, 0.0)
+    return float(low * per_turn), float(high * per_turn)
 
 
 def _slow_output(turns: np.ndarray, kinematics: Kinematics) -> str:
@@ -162,24 +189,35 @@ def _shafts(kinematics: Kinematics) -> str:
     return "; turns per output turn: " + ", ".join(f"{name} {turns:.6g}" for name, turns in others.items())
 
 
-def _known_table(read: Recording, turns: np.ndarray, kinematics: Kinematics, lines: Sequence[KinematicLine]) -> str:
-    """Return one row per order with a known cause: its amplitude, and its level above the noise floor."""
+def known_orders(
+    read: Recording, turns: np.ndarray, kinematics: Kinematics, lines: Sequence[KinematicLine]
+) -> tuple[KnownOrder, ...]:
+    """Return each order with a known cause: its amplitude, and its level above the noise floor."""
     torque = read.torque()
     top = 0.4 * read.sample_rate / float(np.max(np.diff(turns)) * read.sample_rate)
     spectrum = order_spectrum(over_angle(read, turns, fastest=kinematics.fastest_shaft[1]), highest=top)
-    floor, size = floor_of(spectrum.amplitudes), rms_size(torque)
+    floor = floor_of(spectrum.amplitudes)
     places: dict[float, list[KinematicLine]] = {}
     for line in sorted(lines, key=lambda line: line.output_order):
         places.setdefault(float(f"{line.output_order:.9g}"), []).append(line)
-    rows = [["output order", "motor order", f"amplitude {read.torque_unit()}", "above floor dB", "cause"]]
+    found = []
     for order, causes in places.items():
         if order > min(top, float(spectrum.places[-1])) or order * turns[-1] < 2:
             continue
         amplitude = line_amplitude(torque, turns, order)
         above = 20 * np.log10(max(amplitude, 1e-300) / floor[round(order / spectrum.width)])
-        shown = fixed(amplitude, scale=size, digits=6)
-        rows.append([f"{order:.6g}", f"{causes[0].motor_order:.6g}", shown, f"{above:.1f}",
-                     cut(label_of(causes), 70)])  # fmt: skip
+        shown = Quantity(float(amplitude), read.torque_unit())
+        found.append(KnownOrder(order, causes[0].motor_order, shown, float(above), label_of(causes)))
+    return tuple(found)
+
+
+def _known_table(known: Sequence[KnownOrder], *, size: float, unit: str) -> str:
+    rows = [["output order", "motor order", f"amplitude {unit}", "above floor dB", "cause"]]
+    for one in known:
+        assert isinstance(one.amplitude.value, float)
+        shown = fixed(one.amplitude.value, scale=size, digits=6)
+        rows.append([f"{one.output_order:.6g}", f"{one.motor_order:.6g}", shown, f"{one.above_floor_dB:.1f}",
+                     cut(one.cause, 70)])  # fmt: skip
     return grid(rows)
 
 

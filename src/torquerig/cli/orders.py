@@ -11,6 +11,7 @@ import click
 from torquerig.catalog.search import catalog_for
 from torquerig.catalog.winding import winding_of
 from torquerig.cli.common_options import catalog_option
+from torquerig.cli.json_option import json_option
 from torquerig.document import read_document
 from torquerig.errors import InputError, UnitError
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
@@ -18,6 +19,7 @@ from torquerig.orders.kinematics.order_report import orders_report
 from torquerig.orders.kinematics.order_report_text import ORDERS_HEADER, name_of, orders_rows, orders_sentences
 from torquerig.orders.kinematics.teeth import Planetary
 from torquerig.plain_table import grid, wrapped
+from torquerig.reporting.json_results.orders import OrdersResult, orders_result
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import read_scenario
 from torquerig.units import parse_quantity
@@ -52,11 +54,12 @@ DEFAULT_MOTOR, DEFAULT_SPEED = "bldc-12n14p", "1000 rpm"
 )
 @click.option("--mains", default="50 Hz", show_default=True, help="Mains frequency.")
 @catalog_option
+@json_option("orders", reads=("scenario",))
 def command(
     *, motor: str | None, gearbox: str | None, ratio: float | None, sun: int | None, ring: int | None,
     planets: int | None, scenario: Path | None, speed: str | None, harmonics: int, mains: str,
     catalogs: tuple[Path, ...],
-) -> None:  # fmt: skip
+) -> OrdersResult:  # fmt: skip
     """List frequency, order at motor and output shaft, cause and coincidences of each line."""
     drive = {"motor": motor, "gearbox": gearbox, "ratio": ratio, "sun": sun, "ring": ring, "planets": planets}
     named = [f"--{option}" for option, value in drive.items() if value is not None]
@@ -86,6 +89,7 @@ def command(
     click.echo()
     for sentence in orders_sentences(report):
         click.echo(wrapped(sentence))
+    return orders_result(report, title=about.format(speed=written))
 
 
 def _planetary(sun: int | None, ring: int | None, planets: int | None) -> tuple[Planetary, ...]:

@@ -12,7 +12,7 @@ from torquerig.whole_file import refuse_unwritable
 _MARK_WITHIN = 4096  # [byte] the mark of an earlier file must be in these first bytes
 
 
-def check_output_paths(targets: Iterable[tuple[Path, str]], *, inputs: Iterable[Path]) -> None:
+def check_output_paths(targets: Iterable[tuple[Path, str]], *, inputs: Iterable[Path], what: str = "diagnosis") -> None:
     """Raise InputError where a file may not be written.
 
     Parameters
@@ -34,7 +34,7 @@ def check_output_paths(targets: Iterable[tuple[Path, str]], *, inputs: Iterable[
         if path.resolve() in read:
             raise InputError(f"{path}: is one of the inputs; choose another name to write to")
         if path.is_file() and not _replaceable(path, mark):
-            raise InputError(f"{path}: is there already and no diagnosis; choose another name, or delete it")
+            raise InputError(f"{path}: is there already and no {what}; choose another name, or delete it")
         refuse_unwritable(path)
 
 

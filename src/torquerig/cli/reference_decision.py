@@ -10,11 +10,13 @@ import click
 
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option
+from torquerig.cli.json_option import json_option
 from torquerig.document import read_document
 from torquerig.errors import InputError
 from torquerig.whole_file import refuse_unwritable
 
 if TYPE_CHECKING:
+    from torquerig.reporting.json_results.reference import ReferenceDecisionResult
     from torquerig.study.reference_decision.decision import ReferenceDecision
 
 ENDINGS = (".html", ".md")
@@ -33,16 +35,18 @@ ENDINGS = (".html", ".md")
 )
 @click.option("--workers", type=click.IntRange(1), default=None, help="Number of parallel runs. Default: one per core.")
 @catalog_option
+@json_option("reference-decision", reads=("plan",))
 def command(
     *, plan: Path | None, outs: Sequence[Path], force: bool, draws: int | None, workers: int | None,
     catalogs: tuple[Path, ...],
-) -> None:  # fmt: skip
+) -> ReferenceDecisionResult:  # fmt: skip
     """Compute the published tables of PLAN from catalog and simulation, and the motor to buy or keep.
 
     PLAN states how each published criterion is computed. Default: the shipped scenarios/reference_decision.yaml.
     """
     from torquerig.catalog.shipped import shipped_scenarios
     from torquerig.cli.progress import drive_progress
+    from torquerig.reporting.json_results.reference import reference_decision_result
     from torquerig.study.reference_decision.decision import reference_decision
     from torquerig.study.reference_decision.plan import read_plan
 
@@ -58,6 +62,7 @@ def command(
 
         write_decision(decision, target)
         click.echo(f"wrote {target}", err=True)
+    return reference_decision_result(decision, written=[one.as_posix() for one in outs])
 
 
 def _print_decision(decision: ReferenceDecision) -> None:

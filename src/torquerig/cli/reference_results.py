@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from torquerig.catalog.search import catalog_for
 from torquerig.catalog.shipped import shipped_scenarios
 from torquerig.cli.common_options import catalog_option, edited, set_option
+from torquerig.cli.json_option import json_option
 from torquerig.cli.progress import drive_progress
 from torquerig.errors import InputError
 from torquerig.plain_table import grid, wrapped
 from torquerig.whole_file import refuse_unwritable, whole_file
+
+if TYPE_CHECKING:
+    from torquerig.reporting.json_results.reference import ReferenceResultsResult
 
 
 @click.command("reference-results")
@@ -23,9 +28,10 @@ from torquerig.whole_file import refuse_unwritable, whole_file
 @click.option("--force", is_flag=True, help="Overwrite the page.")
 @set_option
 @catalog_option
+@json_option("reference-results", reads=("scenario",))
 def command(
     *, scenario: Path | None, out: Path, seed: int, force: bool, settings: tuple[str, ...], catalogs: tuple[Path, ...]
-) -> None:
+) -> ReferenceResultsResult:
     """Compare SCENARIO (default: the shipped wear rig) with Tables VIII and IX and the figures of the reference report.
 
     Three parameters of the load are fitted to half of the published cells; the other half is held out. Where a
@@ -37,6 +43,7 @@ def command(
         raise InputError(f"{out}: there is no folder {out.parent}; make it first")
     refuse_unwritable(out)
     path = scenario or shipped_scenarios() / "wear_rig.yaml"
+    from torquerig.reporting.json_results.reference import reference_results_result
     from torquerig.reporting.reference_report.results_page import reference_results_page
     from torquerig.study.reference_report.reasons import fit_sentences, mechanical_sentences, table_sentences
     from torquerig.study.reference_report.results import ReportResults, reference_results
@@ -52,8 +59,10 @@ def command(
         for one in results.cells
     ]  # fmt: skip
     click.echo(grid([head, *rows]) + "\n")
-    for sentence in (*fit_sentences(results), *table_sentences(results), *mechanical_sentences(results.drop)):
+    notes = (*fit_sentences(results), *table_sentences(results), *mechanical_sentences(results.drop))
+    for sentence in notes:
         click.echo(wrapped(sentence))
     with whole_file(out) as partial:
         partial.write_text(reference_results_page(results), encoding="utf-8", newline="\n")
     click.echo(f"wrote {out}")
+    return reference_results_result(results, notes=notes, written=[out.as_posix()])

@@ -16,10 +16,12 @@ from torquerig.cli.common_options import (
     quantity_in,
     set_option,
 )
+from torquerig.cli.json_option import json_option
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import fixed, grid, rms_size, wrapped
 from torquerig.recordings.files import check_target, read_recording, write_recording
 from torquerig.recordings.recording import Recording
+from torquerig.reporting.json_results.simulate import SimulateResult, levels_of, named
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import WormGear
 from torquerig.rig.parts.gear_stage import gear_stages
@@ -66,11 +68,12 @@ from torquerig.units import parse_quantity
 @profile_option
 @set_option
 @catalog_option
+@json_option("simulate", reads=("scenario", "inputs"))
 def command(
     *, scenario: Path, motor: str | None, gearbox: str | None, duration: str | None, rate: float | None, seed: int,
     out: Path, truth: bool, inputs: Path | None, force: bool, steps: int | None, prove_step: bool, profile: str | None,
     settings: tuple[str, ...], catalogs: tuple[Path, ...],
-) -> None:  # fmt: skip
+) -> SimulateResult:  # fmt: skip
     """Simulate SCENARIO and write the recording of its sensors.
 
     The same scenario and seed give the same bytes. With --motor or --gearbox the speed loop is tuned by the study's
@@ -102,15 +105,28 @@ def command(
     for worm in made.rig.parts_of(WormGear):
         click.echo(wrapped(worm.losses))
     doubts = [*recording.origin.get("warnings", ()), loop_warning(made.rig, rate=sample_rate)]
-    for doubt in filter(None, doubts):
+    result = SimulateResult(
+        title=made.title, duration_s=seconds, sample_rate_Hz=sample_rate, warnings=tuple(filter(None, doubts)),
+        levels=levels_of(recording, {channel_name(made.rig, one): what_is_read(made.rig, one)[2]
+                                     for one in made.rig.places}),
+        flagged=tuple(flags), not_used=tuple(unused_by_simulation(made)),
+        notes=(*([recording.origin["condensed"]] if "condensed" in recording.origin else []),
+               *([_proof(made, duration=seconds, seed=seed, sample_rate=sample_rate)] if prove_step else [])),
+        assumed=dict(made.assumed), kept=dict(made.kept), written=named(written),
+    )  # fmt: skip
+    _print_notes(result)
+    return result
+
+
+def _print_notes(made: SimulateResult) -> None:
+    """Print what is doubtful, flagged, not used and assumed."""
+    for doubt in made.warnings:
         click.echo(wrapped(f"warning: {doubt}"))
-    if "condensed" in recording.origin:
-        click.echo(wrapped(recording.origin["condensed"]))
-    if prove_step:
-        click.echo(wrapped(_proof(made, duration=seconds, seed=seed, sample_rate=sample_rate)))
-    for flag in flags:
+    for note in made.notes:
+        click.echo(wrapped(note))
+    for flag in made.flagged:
         click.echo(wrapped(f"flagged: {flag}"))
-    for unused in unused_by_simulation(made):
+    for unused in made.not_used:
         click.echo(wrapped(f"stated and not used: {unused}"))
     if made.assumed:
         click.echo("assumed, because no document states these values:")

@@ -9,10 +9,14 @@ import click
 from torquerig.catalog.reading import Catalog
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option, edited, profile_option, profile_settings, set_option
+from torquerig.cli.json_option import json_option
 from torquerig.document import Document
 from torquerig.errors import InputError
+from torquerig.metrics.sizing.drive_sizing import Sizing, sizing
 from torquerig.metrics.sizing.sized_drive import SizedDrive, sized_drive
 from torquerig.plain_table import grid, wrapped
+from torquerig.reporting.json_results.sizing import SizeResult, all_sized, disturbance_result, sized_drive_result
+from torquerig.reporting.json_results.values import Interval
 from torquerig.rig.parts import WormGear
 from torquerig.scenario.checks.requirement_check import check_requirement
 from torquerig.scenario.kinematics import ratio_text
@@ -48,11 +52,12 @@ SAMPLES = 3  # Monte Carlo samples of the drive whose disturbance is simulated
 @profile_option
 @set_option
 @catalog_option
+@json_option("size", reads=("scenario",))
 def command(
     *, scenario: Path, motor: str | None, gearbox: str | None, every: bool, ambient: float, seed: int,
     picture: Path | None, shell: Path | None, force: bool, profile: str | None, settings: tuple[str, ...],
     catalogs: tuple[Path, ...],
-) -> None:  # fmt: skip
+) -> SizeResult:  # fmt: skip
     """Size the drive of SCENARIO over its duty cycle, or over its profile where it states no duty cycle.
 
     The table has torque, speed, heat, gearbox, current and braking energy as in sizing programs. It also has the
@@ -75,8 +80,7 @@ def command(
     document = edited(scenario, (*settings, *profile_settings(profile)))
     document = document if profile else with_cycle(document)
     if every:
-        _print_all(open_study(document, catalog), ambient=ambient)
-        return
+        return _print_all(open_study(document, catalog), ambient=ambient)
     made = scenario_or_candidate(document, catalog, motor=motor, gearbox=gearbox, seed=seed)
     drive = sized_drive(made, catalog)
     flags = check_requirement(made, catalog, duration=float(drive.requirement().duration.sum()))
@@ -85,19 +89,21 @@ def command(
     title = (
         f"{drive.motor_name}, {ratio_text(made.rig)}, {made.rig.run.profile}, {drive.requirement().duration.sum():g} s"
     )
-    _print_sizing(drive, sweep, title=title, ambient=ambient, flags=flags)
+    sized = _print_sizing(drive, sweep, title=title, ambient=ambient, flags=flags)
     if shell is not None:
         write_sizing_shell(shell, drive, title=title, ambient=ambient)
+    disturbance: dict[str, Interval] = {}
     if study is not None:
-        _print_disturbance(study, catalog, document, motor=motor, gearbox=gearbox, seed=seed)
+        disturbance = _print_disturbance(study, catalog, document, motor=motor, gearbox=gearbox, seed=seed)
     if picture is not None:
         _draw(drive, sweep, picture, title=title, force=force)
+    late = tuple(f"cannot follow {one}" for one in sized.late)
+    return SizeResult(ambient, (sized_drive_result(title, sized),), disturbance, (*flags, *late))
 
 
 def _print_sizing(
     drive: SizedDrive, sweep: RatioSweep | None, *, title: str, ambient: float, flags: tuple[str, ...]
-) -> None:
-    from torquerig.metrics.sizing.drive_sizing import sizing
+) -> Sizing:
     from torquerig.reporting.sizing.sizing_text import sizing_rows, verdict_text
 
     sized = sizing(drive, ambient=ambient)
@@ -110,12 +116,13 @@ def _print_sizing(
         click.echo(wrapped(f"flagged: {text}"))
     if sweep is not None:
         click.echo(wrapped(sweep.sentence(sized.figures["best_ratio"])))
+    return sized
 
 
 def _print_disturbance(
     study: Study, catalog: Catalog, document: Document, *, motor: str | None, gearbox: str | None, seed: int
-) -> None:
-    """Print the disturbance before and after each filter chain, at the steady set-point of the same drive."""
+) -> dict[str, Interval]:
+    """Print and return the disturbance before and after each filter chain, at the set-point of the same drive."""
     from torquerig.metrics.residual_disturbance import simulated_reading_pair
     from torquerig.reporting.sizing.sizing_text import disturbance_rows
     from torquerig.scenario.overrides import overridden
@@ -127,7 +134,7 @@ def _print_disturbance(
     for one in range(SAMPLES):
         made = scenario_or_candidate(steady, catalog, motor=motor, gearbox=gearbox, seed=seed + one)
         if made.rig.run.speed is None:
-            return
+            return {}
         wander = made.operating_point.slow_speed_wander
         both = simulated_reading_pair(
             made.rig, duration=6.0, seed=seed, wander=wander, settling=settling_of(study.settings.speed_loop),
@@ -141,10 +148,10 @@ def _print_disturbance(
         "samples of the catalog under the same load:"
     )
     click.echo(grid(disturbance_rows(before, after, unit=study.effort_unit)))
+    return disturbance_result(before, after, unit=study.effort_unit)
 
 
-def _print_all(study: Study, *, ambient: float) -> None:
-    from torquerig.metrics.sizing.drive_sizing import Sizing, sizing
+def _print_all(study: Study, *, ambient: float) -> SizeResult:
     from torquerig.reporting.sizing.sizing_text import IN_TABLE, all_text
     from torquerig.study.candidates import Candidate, candidates
     from torquerig.study.sized_candidates import sized_candidate
@@ -158,6 +165,7 @@ def _print_all(study: Study, *, ambient: float) -> None:
             continue
         found[one] = sizing(drive, ambient=ambient, names=IN_TABLE)
     click.echo(all_text(found))
+    return SizeResult(ambient, all_sized(found), {}, ())
 
 
 def _draw(drive: SizedDrive, sweep: RatioSweep | None, path: Path, *, title: str, force: bool) -> None:

@@ -9,9 +9,18 @@ import click
 
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option, set_option
+from torquerig.cli.json_option import json_option
 from torquerig.cli.progress import case_progress
 from torquerig.document import read_document
 from torquerig.plain_table import wrapped
+from torquerig.reporting.json_results.draws import (
+    DecisiveValue,
+    DrawnCombination,
+    OpenValue,
+    StudyResult,
+    drawn_combinations,
+    open_values,
+)
 from torquerig.reporting.study.draws_text import answer_text, convergence_text, left_out_text, ranked_draws_text
 from torquerig.reporting.study.sensitivity_text import asked_first_text, decisive_text, effects_text, too_few_text
 from torquerig.scenario.overrides import overridden
@@ -38,10 +47,11 @@ _POINTS = {None: "draws", "sobol": "base points", "morris": "paths"}
               help="Compute on a Dask cluster, such as tcp://host:8786, in place of this machine.")  # fmt: skip
 @set_option
 @catalog_option
+@json_option("study", reads=("scenario",))
 def command(
     *, scenario: Path, draws: int, method: Method | None, store: Path | None, workers: int | None, cluster: str | None,
     settings: tuple[str, ...], catalogs: tuple[Path, ...],
-) -> None:  # fmt: skip
+) -> StudyResult:  # fmt: skip
     """Compute the distribution of the reading error and of the ranking of SCENARIO's study over many draws.
 
     What is computed is kept in the store: a call that was stopped goes on where it was, and more draws are added to
@@ -59,6 +69,10 @@ def command(
     drawn, not_compared = drawn_study(study), wrapped(left_out_gearboxes(study))
     folder = store or Path("studies") / (f"{scenario.stem}-{method}" if method else scenario.stem)
     engine, unit = _engine(workers, cluster), drawn.study.effort_unit
+    combinations: tuple[DrawnCombination, ...] = ()
+    eliminated: dict[str, str] = {}
+    effects: tuple[OpenValue, ...] = ()
+    decisive: tuple[DecisiveValue, ...] = ()
     with case_progress(f"{draws} {_POINTS[method]} of {len(drawn.drives)} drives") as progress:
         if method is None:
             found = run_draws(drawn, draws, folder=folder, engine=engine, progress=progress)
@@ -66,19 +80,27 @@ def command(
                 wrapped(answer_text(found.ranking)), ranked_draws_text(drawn, found.ranking, found.tables),
                 convergence_text(found.ranking), left_out_text(drawn, found.ranking),
             ]  # fmt: skip
-            run = found.run
+            run, sentence = found.run, answer_text(found.ranking)
+            combinations, eliminated = drawn_combinations(drawn, found), dict(found.ranking.eliminated)
         else:
             made = run_design(drawn, method, draws, folder=folder, engine=engine, progress=progress)
             texts = [
                 too_few_text(made.found), wrapped(asked_first_text(made.found, unit=unit)), decisive_text(made.found),
                 effects_text(made.found, made.design, unit=unit),
             ]  # fmt: skip
-            run = made.run
+            run, sentence = made.run, asked_first_text(made.found, unit=unit)
+            effects, decisive = open_values(made, unit=unit)
     click.echo("\n\n".join(text for text in (*texts, not_compared, *run.notes) if text))
     click.echo(f"\n{run.total} cases, {run.computed} of them computed now in {run.seconds:.1f} s")
     if run.failed or run.unfinished:
         click.echo(f"{run.failed} cases failed and {run.unfinished} are unfinished: see the column error")
     click.echo(f"rows: {run.folder}/rows/*.parquet")
+    notes = (*([left_out_gearboxes(study)] if not_compared else []), *run.notes)
+    return StudyResult(
+        seed=study.settings.seed, method=method or "draws", sentence=sentence, combinations=combinations,
+        eliminated=eliminated, not_simulated=dict(drawn.left_out), effects=effects, decisive=decisive, cases=run.total,
+        failed=run.failed, unfinished=run.unfinished, notes=notes, rows=f"{run.folder.as_posix()}/rows/*.parquet",
+    )  # fmt: skip
 
 
 def _engine(workers: int | None, cluster: str | None) -> Engine:

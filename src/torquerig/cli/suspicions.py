@@ -14,8 +14,8 @@ from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.angle_jumps import angle_jumps
 
 
-def print_suspicions(info: RecordingInfo, head: Recording, *, note: str | None = None) -> None:
-    """Print what is suspicious in a recording, and where it was sought if that is not all of it.
+def print_suspicions(info: RecordingInfo, head: Recording, *, note: str | None = None) -> list[str]:
+    """Print and return what is suspicious in a recording, and where it was sought if that is not all of it.
 
     Parameters
     ----------
@@ -30,6 +30,7 @@ def print_suspicions(info: RecordingInfo, head: Recording, *, note: str | None =
     _print(found, note)
     if where is not None:
         click.echo(where)
+    return found
 
 
 def suspicions_in(info: RecordingInfo, head: Recording) -> tuple[list[str], str | None]:

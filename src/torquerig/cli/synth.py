@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from torquerig.cli.common_options import quantity_in
+from torquerig.cli.json_option import json_option
 from torquerig.cli.synth_fault import fault
 from torquerig.errors import InputError
 from torquerig.recordings.files import check_target
+from torquerig.reporting.json_results.simulate import ChannelLevels, WrittenResult, named, torque_levels
+from torquerig.reporting.json_results.values import Quantity
 
 if TYPE_CHECKING:
     from torquerig.recordings.recording import Recording
@@ -54,9 +58,10 @@ def command() -> None:
 @_seed
 @_out
 @_force
-def control(*, seed: int | None, out: Path, force: bool, **run: Any) -> None:
+@json_option("synth-control")
+def control(*, seed: int | None, out: Path, force: bool, **run: Any) -> WrittenResult:
     """Make a control signal: every frequency from 0 to half the sample rate at equal amplitude."""
-    _write_mixture({"control": {"type": "control"}}, "control", run, seed=seed, out=out, force=force)
+    return _write_mixture({"control": {"type": "control"}}, "control", run, seed=seed, out=out, force=force)
 
 
 @command.command("sweep")
@@ -69,12 +74,13 @@ def control(*, seed: int | None, out: Path, force: bool, **run: Any) -> None:
 @_seed
 @_out
 @_force
+@json_option("synth-sweep")
 def sweep(
     *, start: float, stop: float, spacing: str | None, seed: int | None, out: Path, force: bool, **run: Any
-) -> None:
+) -> WrittenResult:
     """Make a sine sweep."""
     written = {"type": "sweep", "start": f"{start!r} Hz", "stop": f"{stop!r} Hz", "spacing": spacing or "logarithmic"}
-    _write_mixture({"sweep": written}, "sweep", run, seed=seed, out=out, force=force)
+    return _write_mixture({"sweep": written}, "sweep", run, seed=seed, out=out, force=force)
 
 
 @command.command("mixture")
@@ -82,10 +88,11 @@ def sweep(
 @_seed
 @_out
 @_force
-def mixture(*, description: Path, seed: int | None, out: Path, force: bool) -> None:
+@json_option("synth-mixture", reads=("description",))
+def mixture(*, description: Path, seed: int | None, out: Path, force: bool) -> WrittenResult:
     """Make the mixture of DESCRIPTION (YAML), with each component as a separate channel."""
     check_target(out, overwrite=force)
-    _write(_mixed(description, seed), out, force=force)
+    return _write(_mixed(description, seed), out, force=force)
 
 
 @command.command("pair")
@@ -93,7 +100,8 @@ def mixture(*, description: Path, seed: int | None, out: Path, force: bool) -> N
 @_seed
 @_out
 @_force
-def pair(*, description: Path, seed: int | None, out: Path, force: bool) -> None:
+@json_option("synth-pair", reads=("description",))
+def pair(*, description: Path, seed: int | None, out: Path, force: bool) -> WrittenResult:
     """Make the mixture of DESCRIPTION, and its load and noise as separate recordings (NAME_load, NAME_noise)."""
     from torquerig.synthetic.pairs import load_only, noise_only
 
@@ -101,8 +109,9 @@ def pair(*, description: Path, seed: int | None, out: Path, force: bool) -> None
     for target in targets:
         check_target(target, overwrite=force)
     whole = _mixed(description, seed)
-    for recording, target in zip((whole, load_only(whole), noise_only(whole)), targets, strict=True):
-        _write(recording, target, force=force)
+    each = zip((whole, load_only(whole), noise_only(whole)), targets, strict=True)
+    made = [_write(recording, target, force=force) for recording, target in each]
+    return WrittenResult(tuple(path for one in made for path in one.written), levels=made[0].levels, seed=made[0].seed)
 
 
 command.add_command(fault)
@@ -115,9 +124,10 @@ command.add_command(fault)
 @_seed
 @_out
 @_force
+@json_option("synth-effects", reads=("scenario",))
 def effects(
     *, scenario: Path, duration: float, settings: tuple[str, ...], seed: int | None, out: Path, force: bool
-) -> None:
+) -> WrittenResult:
     """Decompose the reading of SCENARIO's rig into the contribution of each mechanism and sensor stage.
 
     Contributions of sensor stages are exact. Those of mechanisms on the shafts are differences between runs in which
@@ -135,14 +145,19 @@ def effects(
     made = read_scenario(edited(scenario, settings), catalog_for(scenario, ()), seed=number)
     wander = made.operating_point.slow_speed_wander
     recording = separated_contributions(made.rig, duration=duration, seed=number, wander=wander, scenario=made.title)
-    _write(recording, out, force=force)
+    result = _write(recording, out, force=force)
     labels = recording.origin["components"]
-    size = rms_size(recording.torque())
+    size, components = rms_size(recording.torque()), components_of(recording)
     rows = [
         [name, *(fixed(float(one), scale=size, digits=6) for one in (values.mean(), values.std())), labels[name]]
-        for name, values in components_of(recording).items()
+        for name, values in components.items()
     ]
     click.echo(grid([["component", "mean N*m", "std N*m", "what it is"], *rows]))
+    levels = [
+        ChannelLevels(name, Quantity(float(values.mean()), "N*m"), Quantity(float(values.std()), "N*m"))
+        for name, values in components.items()
+    ]
+    return replace(result, levels=(*result.levels, *levels), texts=dict(labels))
 
 
 def _mixed(description: Path, seed: int | None) -> Recording:
@@ -155,7 +170,7 @@ def _mixed(description: Path, seed: int | None) -> Recording:
 
 def _write_mixture(
     components: dict[str, dict[str, str]], title: str, run: dict[str, Any], *, seed: int | None, out: Path, force: bool
-) -> None:
+) -> WrittenResult:
     """Write a mixture of one component that the command line describes."""
     from torquerig.synthetic.mixture import Mixture, mixed
 
@@ -172,10 +187,10 @@ def _write_mixture(
         "motor_speed": None if run["speed"] is None else f"{run['speed']!r} rad/s", "components": written,
     }  # fmt: skip
     made = Mixture.model_validate(described)
-    _write(mixed(made), out, force=force)
+    return _write(mixed(made), out, force=force)
 
 
-def _write(recording: Recording, out: Path, *, force: bool) -> None:
+def _write(recording: Recording, out: Path, *, force: bool) -> WrittenResult:
     from torquerig.synthetic.writing import write_synthetic
 
     written = write_synthetic(recording, out, overwrite=force)
@@ -187,3 +202,4 @@ def _write(recording: Recording, out: Path, *, force: bool) -> None:
         f"wrote {' and '.join(str(path) for path in written)}: {recording.samples} samples at "
         f"{recording.sample_rate:g} Hz, mean {mean} N*m, std {spread} N*m"
     )
+    return WrittenResult(named(written), levels=torque_levels(recording), seed=int(recording.origin["seed"]))

@@ -10,9 +10,11 @@ import click
 import numpy as np
 
 from torquerig.cli.common_options import quantity_in
+from torquerig.cli.json_option import json_option
 from torquerig.errors import InputError
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import check_target, read_recording
+from torquerig.reporting.json_results.simulate import WrittenResult, named, torque_levels
 
 if TYPE_CHECKING:
     from torquerig.recordings.recording import Recording
@@ -40,10 +42,11 @@ def _list(context: click.Context, _: click.Parameter, wanted: bool) -> None:
 @click.option("--out", type=click.Path(path_type=Path), default=Path("synthetic.parquet"), show_default=True,
               help="Recording to write: .parquet, .csv, .mat or .tdms, with its sidecar.")  # fmt: skip
 @click.option("--force", is_flag=True, help="Overwrite earlier recordings of that name.")
+@json_option("synth-fault", reads=("source",))
 def fault(
     *, fault: str, source: Path | None, settings: tuple[str, ...], duration: float | None, rate: float | None,
     seed: int | None, out: Path, force: bool,
-) -> None:  # fmt: skip
+) -> WrittenResult:  # fmt: skip
     """Draw FAULT, the name of one or a YAML file of several, into a recording, with the truth as channels.
 
     The channels undisturbed_NAME hold the signal without the fault, affected_by_FAULT is 1 for the samples that it
@@ -65,8 +68,10 @@ def fault(
     )
     if STAMPS in made.channels and out.suffix.lower() != ".csv":
         click.echo(f"{out} has no column of times; write to .csv for one")
-    for sentence in _what_changed(made, faults):
+    notes = tuple(_what_changed(made, faults))
+    for sentence in notes:
         click.echo(wrapped(sentence))
+    return WrittenResult(named(written), notes, torque_levels(made), seed=1 if seed is None else seed)
 
 
 def _is_file(fault: str) -> bool:

@@ -8,6 +8,7 @@
 ``workbook/``          Excel workbooks of a study and of a matrix
 ``reference_report/``  results and decision of the reference report next to the simulated rig
 ``figures/``           pictures of signals, spectra, orders, modes, rankings
+``json_results/``      what ``--json`` of each command writes
 ``layout``             tables of a page; ``html``: a page from its template
 ``replaced_folder``    replacement of a folder in one step
 ====================== ============================================================================

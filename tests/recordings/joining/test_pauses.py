@@ -53,7 +53,7 @@ def test_info_says_the_rate_between_pauses_their_number_and_the_whole_time(
     assert "2400 samples at 80 Hz between pauses, 30 s of them; 127.01" in told
     assert "39 pauses of 2.5 s" in told or "39 pauses of 2.5 to 2.5 s" in told
     main(("info", "--json", str(tmp_path / "map.csv")))
-    (found,) = json.loads(capsys.readouterr().out)
+    (found,) = json.loads(capsys.readouterr().out)["recordings"]
     assert found["span_s"] == pytest.approx(seconds, rel=1e-6)
     assert found["pauses"]["count"] == PLACES - 1
     assert found["sample_rate_Hz"] == RATE
@@ -134,7 +134,7 @@ def test_a_folder_lists_texts_that_are_no_recordings(tmp_path: Path, capsys: pyt
     assert "LICENSE.txt: not a recording: " in told
     assert "2400 samples" in told
     main(("info", "--json", str(tmp_path)))
-    assert len(json.loads(capsys.readouterr().out)) == 2
+    assert len(json.loads(capsys.readouterr().out)["recordings"]) == 2
     assert "no row of numbers" in refused(capsys, "info", tmp_path / "LICENSE.txt")
     (tmp_path / "map.csv").unlink()
     assert "none of the 1 files is a recording" in refused(capsys, "info", tmp_path)

@@ -23,7 +23,7 @@ def test_the_assumed_encoding_is_told(
     path.with_suffix(".yaml").write_text("sample_rate_Hz: 2000\n")
     assert any("read as Windows-1252" in note for note in open_stream(path).table.notes)
     main(["info", "--json", str(path)])
-    assert json.loads(capsys.readouterr().out)[0]["problem"] == ""
+    assert json.loads(capsys.readouterr().out)["recordings"][0]["problem"] == ""
 
 
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "ascii", "utf-16"])

@@ -10,7 +10,9 @@ from torquerig.catalog.checking.draft import draft
 from torquerig.catalog.part_class import KINDS
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option
+from torquerig.cli.json_option import json_option
 from torquerig.errors import InputError, UnknownNameError, did_you_mean
+from torquerig.reporting.json_results.simulate import WrittenResult, named
 from torquerig.whole_file import whole_file
 
 
@@ -19,8 +21,9 @@ from torquerig.whole_file import whole_file
 @click.option("--kind", "of", type=click.Choice(list(KINDS)), default="motor", show_default=True, help="What it is.")
 @click.option("--like", default="", metavar="CLASS", help="The class that fills what the sheet does not state.")
 @catalog_option
+@json_option("catalog-new")
 @click.pass_context
-def command(context: click.Context, *, file: Path, of: str, like: str, catalogs: tuple[Path, ...]) -> None:
+def command(context: click.Context, *, file: Path, of: str, like: str, catalogs: tuple[Path, ...]) -> WrittenResult:
     """Write FILE, a commented entry with blanks to fill from a data sheet; an existing file is never overwritten.
 
     Example: torquerig catalog new catalogs/motors/servo-400W.yaml --like servo-60mm-400W
@@ -38,3 +41,4 @@ def command(context: click.Context, *, file: Path, of: str, like: str, catalogs:
     with whole_file(file) as partial:
         partial.write_text(text, encoding="utf-8")
     click.echo(f"{file}: written; fill its blanks, then: torquerig catalog check {file}")
+    return WrittenResult(named([file]))

@@ -10,15 +10,20 @@ from torquerig.catalog.checking.entry_check import EntryCheck, check_file, files
 from torquerig.catalog.search import catalog_for
 from torquerig.catalog.shipped import shipped_folder
 from torquerig.cli.common_options import catalog_option
+from torquerig.cli.json_option import json_option
 from torquerig.plain_table import grid
+from torquerig.reporting.json_results.catalog import CatalogCheckResult, check_result
 
 
 @click.command("check")
 @click.argument("path", required=False, type=click.Path(path_type=Path))
 @catalog_option
 @click.option("--all", "with_all", is_flag=True, help="List every open value, not only the ten dearest.")
+@json_option("catalog-check", reads=("path",))
 @click.pass_context
-def command(context: click.Context, *, path: Path | None, catalogs: tuple[Path, ...], with_all: bool) -> None:
+def command(
+    context: click.Context, *, path: Path | None, catalogs: tuple[Path, ...], with_all: bool
+) -> CatalogCheckResult:
     """Check the entries of PATH (a file or folder; else catalogs/ of this folder, else the shipped ones).
 
     For each entry: why it cannot be read, values that contradict, and open values with the figure that each widens most
@@ -29,8 +34,9 @@ def command(context: click.Context, *, path: Path | None, catalogs: tuple[Path, 
     classes = catalog_for(None, (*(context.obj or ()), *catalogs)).classes
     checks = [check_file(file, classes) for file in files_in(chosen)]
     click.echo("\n\n".join(_text(one, None if with_all else 10) for one in checks))
-    faulty = sum(bool(one.problem or one.contradictions) for one in checks)
-    click.echo(f"\n{len(checks)} checked, {faulty} with contradictions or errors")
+    result = check_result(checks)
+    click.echo(f"\n{result.checked} checked, {result.faulty} with contradictions or errors")
+    return result
 
 
 def _text(check: EntryCheck, most: int | None) -> str:

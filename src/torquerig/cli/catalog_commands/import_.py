@@ -15,7 +15,9 @@ from torquerig.catalog.exchange.sizing_project import SizingProject, read_sizing
 from torquerig.catalog.exchange.untrusted import read_bytes, xml_of
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option
+from torquerig.cli.json_option import json_option
 from torquerig.errors import InputError
+from torquerig.reporting.json_results.simulate import WrittenResult, named
 from torquerig.units import written_quantity
 from torquerig.whole_file import whole_files
 
@@ -25,8 +27,11 @@ from torquerig.whole_file import whole_files
 @click.argument("target", type=click.Path(path_type=Path))
 @click.option("--like", default="", metavar="CLASS", help="The class that fills what the file does not state.")
 @catalog_option
+@json_option("catalog-import", reads=("file",))
 @click.pass_context
-def command(context: click.Context, *, file: Path, target: Path, like: str, catalogs: tuple[Path, ...]) -> None:
+def command(
+    context: click.Context, *, file: Path, target: Path, like: str, catalogs: tuple[Path, ...]
+) -> WrittenResult:
     """Read FILE of another program and write TARGET; an existing file is never overwritten.
 
     A sizing project of IDTA 02021 (.aasx, .json or .xml) becomes a folder with profile.csv for duty, size and simulate,
@@ -38,14 +43,13 @@ def command(context: click.Context, *, file: Path, target: Path, like: str, cata
         classes = catalog_for(None, (*(context.obj or ()), *catalogs)).classes
         gear = read_gear(root, str(file))
         text = _with_values(draft("gearbox", target.stem, classes, like=like), gear, file.name)
-        _write({target: text})
-    else:
-        project = read_sizing_project(read_shell(file), str(file))
-        tables = {target / "profile.csv": project.motion.table()} if project.motion else {}
-        _write({target / "requirements.yaml": _requirements(project, file.name), **tables})
+        return _write({target: text})
+    project = read_sizing_project(read_shell(file), str(file))
+    tables = {target / "profile.csv": project.motion.table()} if project.motion else {}
+    return _write({target / "requirements.yaml": _requirements(project, file.name), **tables})
 
 
-def _write(texts: Mapping[Path, str]) -> None:
+def _write(texts: Mapping[Path, str]) -> WrittenResult:
     for path in texts:
         if path.exists() or path.is_symlink():
             raise InputError(f"{path}: is there already; choose another name")
@@ -57,6 +61,8 @@ def _write(texts: Mapping[Path, str]) -> None:
     for path, text in texts.items():
         left = text.count("____")
         click.echo(f"{path}: written" + (", with blanks to fill" if left else ""))
+    blanks = [f"{path.name}: {text.count('____')} blanks to fill" for path, text in texts.items() if "____" in text]
+    return WrittenResult(named(list(texts)), tuple(blanks))
 
 
 def _with_values(text: str, gear: GearAttributes, source: str) -> str:

@@ -10,7 +10,9 @@ from torquerig.catalog.entry import estimates
 from torquerig.catalog.exchange.gear_attributes import FIELDS, node_set
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option
+from torquerig.cli.json_option import json_option
 from torquerig.errors import InputError
+from torquerig.reporting.json_results.simulate import WrittenResult, named
 from torquerig.whole_file import whole_file
 
 
@@ -18,8 +20,9 @@ from torquerig.whole_file import whole_file
 @click.argument("name")
 @click.argument("file", type=click.Path(path_type=Path))
 @catalog_option
+@json_option("catalog-export")
 @click.pass_context
-def command(context: click.Context, *, name: str, file: Path, catalogs: tuple[Path, ...]) -> None:
+def command(context: click.Context, *, name: str, file: Path, catalogs: tuple[Path, ...]) -> WrittenResult:
     """Write the documented values of the gearbox NAME as PtGearAttributes of OPC UA Powertrain (a node set).
 
     A value that is an interval has no field there and is left out; the command lists what it left out. A sizing is
@@ -41,3 +44,4 @@ def command(context: click.Context, *, name: str, file: Path, catalogs: tuple[Pa
         f"{file}: written, with {', '.join(values)}"
         + (f"; left out, not one number: {', '.join(left)}" if left else "")
     )
+    return WrittenResult(named([file]), tuple(f"left out, not one number: {one}" for one in left))

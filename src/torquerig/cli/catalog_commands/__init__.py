@@ -1,0 +1,1 @@
+"""Commands below ``torquerig catalog``: new, check, import, export."""
