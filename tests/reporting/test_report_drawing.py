@@ -6,7 +6,7 @@ from torquerig.errors import InputError
 from torquerig.metrics.figure import Figure
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure, svg, write_picture
-from torquerig.reporting.figures.shades import GOOD_IS_HIGH, readable_on, shade
+from torquerig.reporting.figures.shades import GOOD_IS_HIGH, GOOD_IS_LOW, shade
 from torquerig.reporting.figures.spectrum_figure import spectrum_figure
 from torquerig.reporting.layout import figure_text, plain
 
@@ -34,9 +34,12 @@ def test_text_on_the_colour_scale_has_the_contrast_that_wcag_asks_for(value):
     assert (luminances[1] + 0.05) / (luminances[0] + 0.05) >= 4.5  # WCAG 2.2, success criterion 1.4.3, level AA
 
 
-def test_white_on_dark_and_black_on_light():
-    assert readable_on((0.1, 0.1, 0.3)) == "#fff"
-    assert readable_on((0.9, 0.9, 0.6)) == "#000"
+def test_the_scale_runs_from_orange_over_white_to_blue_never_from_red_to_green():
+    colours = [to_rgb(shade(value, 0, 1, scale=GOOD_IS_HIGH)[11:18]) for value in (0.0, 0.5, 1.0)]
+    assert colours[0][0] > colours[0][2]  # red above blue
+    assert colours[1] == (1, 1, 1)
+    assert colours[2][2] > colours[2][0]
+    assert shade(0.2, 0, 1, scale=GOOD_IS_LOW) == shade(0.8, 0, 1, scale=GOOD_IS_HIGH)
 
 
 def test_numbers_have_no_exponent():

@@ -7,6 +7,7 @@
 ``sizing/``            a sizing and its duty cycle
 ``workbook/``          Excel workbooks of a study and of a matrix
 ``reference_report/``  results and decision of the reference report next to the simulated rig
+``moving/``            plots and matrices that a reader moves in the page
 ``figures/``           pictures of signals, spectra, orders, modes, rankings
 ``json_results/``      what ``--json`` of each command writes
 ``layout``             tables of a page; ``html``: a page from its template

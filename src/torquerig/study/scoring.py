@@ -82,21 +82,9 @@ def decide(runs: StudyRuns) -> Decided:
     kept = set(chart.with_decision(Decision.PURSUE, Decision.OPEN, Decision.REVISE))
     present = _present(runs)
     alternatives = {
-        made.name: made
-        for drive in runs.drives
-        if (drive.candidate.name in kept or drive is present) and drive.chains
-        for made in (Alternative(drive=drive, chain=chain) for chain in drive.chains)
+        made.name: made for made in combinations(runs) if made.drive.candidate.name in kept or made.drive is present
     }
-    matrix = DecisionMatrix(
-        name="criteria",
-        alternatives=tuple(alternatives),
-        criteria=criteria_of(runs.study),
-        cells={
-            (made.name, name): _cell(made.drive, made.chain, row.metric, settings)
-            for made in alternatives.values()
-            for name, row in settings.criteria.items()
-        },
-    )
+    matrix = criteria_matrix(runs, tuple(alternatives.values()))
     baseline = f"{present.candidate.name} | {settings.present.filter}"
     counts = any(row.kind is Kind.ECONOMIC and row.weight > 0 for row in matrix.criteria)
     economic = matrix.only(kind=Kind.ECONOMIC) if counts else None
@@ -110,6 +98,26 @@ def decide(runs: StudyRuns) -> Decided:
         overall=kesselring(matrix, profile=TEACHING),
         technical=kesselring(matrix.only(kind=Kind.TECHNICAL), profile=TEACHING),
         economic=None if economic is None else kesselring(economic, profile=TEACHING),
+    )
+
+
+def combinations(runs: StudyRuns) -> tuple[Alternative, ...]:
+    """Return every simulated drive with each filter, also those that a requirement eliminates."""
+    return tuple(Alternative(drive=drive, chain=chain) for drive in runs.drives for chain in drive.chains)
+
+
+def criteria_matrix(runs: StudyRuns, alternatives: tuple[Alternative, ...]) -> DecisionMatrix:
+    """Return these combinations against the criteria of the study."""
+    settings = runs.study.settings
+    return DecisionMatrix(
+        name="criteria",
+        alternatives=tuple(made.name for made in alternatives),
+        criteria=criteria_of(runs.study),
+        cells={
+            (made.name, name): _cell(made.drive, made.chain, row.metric, settings)
+            for made in alternatives
+            for name, row in settings.criteria.items()
+        },
     )
 
 

@@ -97,8 +97,8 @@ def _remarks(decided: Decided, made: MatrixVerdict) -> tuple[str, ...]:
     """Return how far the data carries the ranking, and the next best."""
     shares = made.best_shares
     samples = (
-        f"This drive is best in {shares['together']:.0%} of the Monte Carlo samples of data, points and weights, and "
-        f"in {shares['intervals']:.0%} of those of the data alone."
+        f"This drive is best in {100 * shares['together']:.0f} % of the Monte Carlo samples of data, points and "
+        f"weights, and in {100 * shares['intervals']:.0f} % of those of the data alone."
     )
     return tuple(one.strip() for one in (samples, ranking_of_draws(decided), _next_best(decided, made)) if one)
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import nan
 
-from matplotlib import colormaps
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
@@ -15,6 +14,8 @@ from torquerig.reporting.figures.picture import new_figure
 from torquerig.study.results import DriveResult
 
 SHAPES = "osD^vP*X<>"
+COLOURS = ("#0072b2", "#e69f00", "#56b4e9", "#cc79a7", "#5b4a8a", "#d55e00", "#444444", "#009e73")
+"""Of Okabe and Ito (2008), which colour-blind readers can distinguish; the shapes differ too."""
 
 
 def error_figure(drives: Sequence[DriveResult], *, present: str) -> Figure:
@@ -26,7 +27,7 @@ def error_figure(drives: Sequence[DriveResult], *, present: str) -> Figure:
     axes = figure.add_subplot()
     for place, name in enumerate(names):
         found = [(row, *_ends(drive.chains[name].truth_error)) for row, drive in enumerate(run) if name in drive.chains]
-        colour = colormaps["tab10"](place % 10)
+        colour = COLOURS[place % len(COLOURS)]
         height = 0.55 * ((place + 0.5) / len(names) - 0.5)
         for row, low, _, high in found:
             axes.plot([low, high], [row - height] * 2, color=colour,

@@ -5,17 +5,17 @@ from __future__ import annotations
 from torquerig.orders.kinematics.line_families import Family
 
 COLOURS: dict[Family, str] = {
-    "shaft": "#1b9e77",
-    "motor": "#d95f02",
-    "cogging_per_pole": "#7570b3",
-    "cogging": "#e7298a",
-    "cogging_tolerance_slots": "#66a61e",
+    "shaft": "#009e73",
+    "motor": "#e69f00",
+    "cogging_per_pole": "#7a68a6",
+    "cogging": "#cc79a7",
+    "cogging_tolerance_slots": "#8c4a73",
     "cogging_tolerance_poles": "#b8860b",
-    "electrical": "#1f78b4",
+    "electrical": "#0072b2",
     "six_pulse": "#a6761d",
     "gear_mesh": "#444444",
-    "slots_times_pole_pairs": "#c51b1b",
-    "intermediate": "#17becf",
+    "slots_times_pole_pairs": "#4b3b8f",
+    "intermediate": "#56b4e9",
     "belt": "#8c564b",
     "bearing": "#e377c2",
 }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from base64 import b64encode
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
 from io import BytesIO
@@ -18,6 +19,7 @@ from matplotlib.ticker import FixedFormatter, Formatter, FuncFormatter
 
 from torquerig.errors import InputError
 from torquerig.harmless import harmless
+from torquerig.reporting.moving.page_scripts import csv_script, data_script
 from torquerig.whole_file import refuse_unwritable, whole_file
 
 STYLE: dict[Any, Any] = {
@@ -31,11 +33,29 @@ STYLE: dict[Any, Any] = {
 
 @dataclass(frozen=True, kw_only=True)
 class Picture:
-    """An image of a page: ``source`` holds all of it, ``told`` is its text alternative."""
+    """An image of a page.
+
+    Parameters
+    ----------
+    source : str
+        All of the image as an address.
+    caption, told : str
+        The text below it, and its text alternative.
+    name : str
+        Name of its files, and of its place on the page.
+    csv : str
+        Script element with its data as CSV text; empty where it has a plot, or no numbers.
+    plot, data : str
+        Name of the element of its plot that moves, and script element with the plot; empty where none is.
+    """
 
     source: str
     caption: str
     told: str
+    name: str = ""
+    csv: str = ""
+    plot: str = ""
+    data: str = ""
 
 
 class NotebookFigure(Figure):
@@ -54,10 +74,29 @@ def new_figure(width: float, height: float) -> Figure:
     return made
 
 
-def picture(figure: Figure, *, caption: str, told: str) -> Picture:
-    """Return a figure as an image that a page can hold inline."""
+def picture(
+    figure: Figure, *, caption: str, told: str, name: str = "", csv: str = "", plot: Mapping[str, Any] | None = None
+) -> Picture:
+    """Return a figure as an image that a page can hold inline.
+
+    Parameters
+    ----------
+    csv : str
+        Its data as CSV text, for the page to save.
+    plot : mapping, optional
+        The same figure as a plot that moves, from ``reporting.moving``; it replaces the image on a screen.
+    """
     drawn = svg(figure)
-    return Picture(source=f"data:image/svg+xml;base64,{b64encode(drawn).decode()}", caption=caption, told=told)
+    return Picture(
+        source=f"data:image/svg+xml;base64,{b64encode(drawn).decode()}", caption=caption, told=told, name=name,
+        csv=csv_script(csv) if csv else "", plot=plot_name(name) if plot else "",
+        data=data_script(f"data-{plot_name(name)}", plot) if plot else "",
+    )  # fmt: skip
+
+
+def plot_name(name: str) -> str:
+    """Return the name of the page's element for the plot of a picture."""
+    return f"plot-{name}"
 
 
 def write_picture(figure: Figure, path: Path, *, overwrite: bool = False) -> None:

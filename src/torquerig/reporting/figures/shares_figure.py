@@ -10,7 +10,7 @@ from torquerig.reporting.figures.effort import shown_unit
 from torquerig.reporting.figures.picture import new_figure
 from torquerig.study.results import DriveResult
 
-SHARES = {"load": "#8fb7d9", "cogging": "#e7298a", "electrical": "#1f5f9e", "mechanical": "#1b9e77"}
+SHARES = {"load": "#b8c4cf", "cogging": "#e69f00", "electrical": "#0072b2", "mechanical": "#5b4a8a"}
 """The colour of each share."""
 
 

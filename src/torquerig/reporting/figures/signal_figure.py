@@ -11,7 +11,7 @@ from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure
 from torquerig.reporting.figures.spectrum_figure import AFTER, BEFORE
 
-LOAD = "#d1495b"
+LOAD = "#d55e00"
 
 
 def signal_figure(

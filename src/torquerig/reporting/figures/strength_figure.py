@@ -35,15 +35,15 @@ def strength_figure(found: Strength, *, winners: Collection[str] = ()) -> Figure
                   label=f"{row + 1}  {name}: S = {found.hyperbolic[row]:.2f}")  # fmt: skip
         axes.annotate(str(row + 1), (x.value[row], y.value[row]), xytext=(-6, 6), textcoords="offset points",
                       ha="right", fontweight="bold", color=colour, zorder=4)  # fmt: skip
-    axes.plot(1, 1, "*", color="#2e7d32", markersize=12, zorder=3, label="ideal", clip_on=False)
+    axes.plot(1, 1, "*", color="#0072b2", markersize=12, zorder=3, label="ideal", clip_on=False)
     axes.set(xlim=(0, FULL), ylim=(0, FULL), aspect="equal", xlabel="technical rating x", ylabel="economic rating y")
     axes.legend(loc="center left", bbox_to_anchor=(1.02, 0.5), fontsize=8, frameon=False)
     return figure
 
 
 def _background(axes: Axes) -> None:
-    axes.axvspan(0, UNSATISFACTORY, color="#f6cfca", alpha=0.25, linewidth=0, zorder=0)
-    axes.axvspan(VERY_GOOD, FULL, color="#d5ecd4", alpha=0.35, linewidth=0, zorder=0)
+    axes.axvspan(0, UNSATISFACTORY, color="#fbdcbc", alpha=0.25, linewidth=0, zorder=0)
+    axes.axvspan(VERY_GOOD, FULL, color="#cfe3f4", alpha=0.35, linewidth=0, zorder=0)
     axes.axvline(GOOD, color=GRID, linewidth=0.6, zorder=0)
     axes.plot([0, 1], [0, 1], "--", color=GRID, linewidth=1.0, zorder=1)
     for level in LEVELS:

@@ -11,7 +11,7 @@ from torquerig.decide.kesselring import KesselringResult
 from torquerig.reporting.figures.picture import new_figure
 
 MOST = 6  # alternatives side by side; more would be too small to read
-BAR, OPEN, WEAK = "#5b88ad", "#12395b", "#c0392b"
+BAR, OPEN, WEAK = "#5b88ad", "#12395b", "#d55e00"
 
 
 def value_profile(result: KesselringResult, *, named: Sequence[str] = ()) -> Figure:

@@ -5,16 +5,23 @@ from __future__ import annotations
 from torquerig.decide.matrix_analysis import MatrixAnalysis
 from torquerig.reporting.figures.picture import Picture, picture
 from torquerig.reporting.html import html
+from torquerig.reporting.matrix.answer import matrix_answer
 from torquerig.reporting.matrix.chapters import chapters, trace_anchor
+from torquerig.reporting.matrix.picture_csv import points_csv, strength_csv
+from torquerig.reporting.moving.matrix_model import case_model
+from torquerig.reporting.moving.page_scripts import data_script, page_scripts
 
 
 def matrix_page(worked: MatrixAnalysis) -> str:
-    """Return the HTML of a decision: with inline figures, without scripts or external requests."""
+    """Return the HTML of a decision: figures, data and scripts inside, no request to anywhere."""
     matrix = worked.case.matrix
     content = {
         "title": matrix.name,
         "goal": worked.case.goal,
+        "answer": matrix_answer(worked),
         "verdict": worked.verdict,
+        "matrix_data": data_script("data-matrix", case_model(worked.case)),
+        "scripts": page_scripts(with_plots=False),
         "chapters": chapters(worked),
         "pictures": _pictures(worked),
         "anchors": [trace_anchor(worked, name, one.name) for name in matrix.alternatives for one in matrix.criteria],
@@ -36,15 +43,19 @@ def _pictures(worked: MatrixAnalysis) -> dict[str, Picture]:
             profile,
             caption="Value profile: bar length is points, bar height is weight, so the area is T. Lines are the "
             "range of "
-            "uncertain points. Red bars are weak spots.",
+            "uncertain points. Orange bars are weak spots.",
             told="bars of points per criterion and alternative",
+            name="value_profile",
+            csv=points_csv(worked.overall),
         )
     }
     if worked.strength is not None:
         made["strength"] = picture(
             strength_figure(worked.strength, winners=worked.verdict.winners),
             caption="S-diagram: the ideal is at (1, 1); on the diagonal both ratings are equal. Curves have equal "
-            "sqrt(x y), lines are uncertain ranges, the red area is unsatisfactory.",
+            "sqrt(x y), lines are uncertain ranges, the orange area is unsatisfactory.",
             told="technical against economic rating of each alternative",
+            name="s_diagram",
+            csv=strength_csv(worked.strength),
         )
     return made

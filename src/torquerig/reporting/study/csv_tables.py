@@ -27,12 +27,12 @@ def combinations_csv(runs: StudyRuns, decided: Decided) -> str:
     pairs = [(drive, chain) for drive in runs.drives for chain in runs.study.settings.filters.names]
     pairs.sort(key=lambda pair: order.get(_name(*pair), len(order)))
     rows = [_combination(drive, chain, decided) for drive, chain in pairs]
-    return _csv(rows)
+    return csv_text(rows)
 
 
 def shares_csv(runs: StudyRuns) -> str:
     """Return one row per motor x gearbox: mean, rms of each share, and percent of the fluctuation's power."""
-    return _csv([_shares(drive) for drive in runs.drives])
+    return csv_text([_shares(drive) for drive in runs.drives])
 
 
 def table_of(text: str) -> pd.DataFrame:
@@ -126,7 +126,8 @@ def _number(value: float | None) -> str:
     return "?" if value is None else f"{value:.6g}"
 
 
-def _csv(rows: Sequence[Fields]) -> str:
+def csv_text(rows: Sequence[Fields]) -> str:
+    """Return rows of (heading, text) as CSV, the headings of the first row on top."""
     buffer = StringIO()
     writer = csv.writer(buffer, lineterminator="\n")
     writer.writerow([csv_cell(label) for label, _ in rows[0]])

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+from base64 import b64encode
 from collections.abc import Mapping, Sequence
 from itertools import groupby
 from typing import Any
 
 from torquerig.reporting.figures.picture import Picture
 from torquerig.reporting.html import html
+from torquerig.reporting.moving.matrix_model import study_model
+from torquerig.reporting.moving.page_scripts import data_script, page_scripts
 from torquerig.reporting.study import answers, chapters, pictures, tables
+from torquerig.reporting.study.budget_table import TONES, budget_table, sure_sentences
 from torquerig.reporting.study.trace_tables import drive_tables, functions_table
+from torquerig.study.answer.uncertainty_budget import uncertainty_budget
+from torquerig.study.load_randomness import load_randomness
 from torquerig.study.results import DriveResult, StudyRuns
-from torquerig.study.scoring import Decided
+from torquerig.study.scoring import Decided, combinations, criteria_matrix
 from torquerig.study.trace import traced_drives
 from torquerig.study.verdict import Verdict
 from torquerig.study.what_if import Change
@@ -20,11 +26,22 @@ RANKED = 15  # combinations in the first table; combinations.csv has all
 
 
 def study_page(
-    runs: StudyRuns, decided: Decided, verdict: Verdict, *, changes: Sequence[Change] = (), edits: Sequence[str] = ()
-) -> str:
-    """Return the HTML of a study's page: with inline figures, without scripts or external requests."""
+    runs: StudyRuns, decided: Decided, verdict: Verdict, *, changes: Sequence[Change] = (), edits: Sequence[str] = (),
+    files: Mapping[str, bytes] | None = None,
+) -> str:  # fmt: skip
+    """Return the HTML of a study's page: all figures, scripts and data inside, no request to anywhere.
+
+    Parameters
+    ----------
+    files : mapping of str to bytes, optional
+        Files that the page offers to save, by name; they are written into it, so that it can be mailed alone.
+    """
     content = {
         **_answers(runs, decided, verdict, edits),
+        **_first_screen(runs, decided, verdict),
+        "files": tuple((name, _address(name, data)) for name, data in (files or {}).items()),
+        "matrix_data": data_script("data-matrix", _matrix_data(runs, decided)),
+        "scripts": page_scripts(),
         **_found(runs, decided, verdict),
         **_readings(runs, decided, verdict),
         **_matrices(decided, verdict),
@@ -33,6 +50,31 @@ def study_page(
         "changes": tables.changes_table(changes) if changes else None,
     }
     return html("study.html", content)
+
+
+def _address(name: str, data: bytes) -> str:
+    kind = "text/csv" if name.endswith(".csv") else "application/octet-stream"
+    return f"data:{kind};base64,{b64encode(data).decode()}"
+
+
+def _matrix_data(runs: StudyRuns, decided: Decided) -> Mapping[str, Any]:
+    made = combinations(runs)
+    drive_of = {one.name: one.drive.candidate.name for one in made}
+    return study_model(decided.requirements, criteria_matrix(runs, made), baseline=decided.baseline, drive_of=drive_of)
+
+
+def _first_screen(runs: StudyRuns, decided: Decided, verdict: Verdict) -> Mapping[str, Any]:
+    answer = verdict.answer
+    made = decided.alternatives.get(verdict.winner, decided.alternatives[decided.baseline])
+    shown = pictures.filtered(made.drive, made.chain, runs)
+    budget = uncertainty_budget(made.drive, made.chain, runs) if verdict.winner else None
+    return {
+        "answer": {"sentences": answer.sentences, "figures": answer.figures,
+                   "tone": TONES.get(verdict.certainty, "open")},
+        "first_picture": None if shown is None else pictures.first_picture(shown),
+        "sure": sure_sentences(verdict, budget, load_randomness(runs.drives)),
+        "budget": None if budget is None else budget_table(budget),
+    }  # fmt: skip
 
 
 def present_drive(decided: Decided) -> DriveResult:
@@ -73,15 +115,17 @@ def _found(runs: StudyRuns, decided: Decided, verdict: Verdict) -> Mapping[str, 
 def _readings(runs: StudyRuns, decided: Decided, verdict: Verdict) -> Mapping[str, Any]:
     present = present_drive(decided)
     winner = decided.alternatives.get(verdict.winner)
-    listed = [(present, (winner or decided.alternatives[decided.baseline]).chain, "the present drive")]
+    first = winner or decided.alternatives[decided.baseline]  # its time signal is on the first screen
+    listed = [(present, first.chain, "the present drive")]
     if winner is not None and winner.drive is not present:
         listed.append((winner.drive, winner.chain, "the chosen drive"))
     elif newest := tables.best_new_motor(decided):
         listed.append((newest.drive, newest.chain, "the first new motor of the ranking"))
     readings: list[Picture] = []
-    for drive, chain, role in listed:
+    for number, (drive, chain, role) in enumerate(listed, start=1):
         shown = pictures.filtered(drive, chain, runs)
-        readings += pictures.reading_pictures(shown, role=role) if shown else ()
+        if shown is not None:
+            readings += pictures.reading_pictures(shown, role=role, number=number, with_signal=drive is not first.drive)
     return {
         "readings": tuple(readings),
         "report_filter": pictures.report_filter(present, runs),

@@ -13,12 +13,16 @@ from torquerig.orders.kinematics.order_report_text import name_of
 from torquerig.recordings.recording import Recording
 from torquerig.reporting.figures.error_figure import error_figure
 from torquerig.reporting.figures.notch_figure import notch_figure
-from torquerig.reporting.figures.picture import Picture, picture
+from torquerig.reporting.figures.picture import Picture, picture, plot_name
 from torquerig.reporting.figures.rating_figure import rating_figure
 from torquerig.reporting.figures.shares_figure import shares_figure
 from torquerig.reporting.figures.signal_figure import signal_figure
 from torquerig.reporting.figures.spectrum_figure import spectrum_figure
 from torquerig.reporting.layout import Table, number, words
+from torquerig.reporting.moving.signal_plot import signal_plot
+from torquerig.reporting.moving.spectrum_plot import spectrum_plot
+from torquerig.reporting.study.csv_tables import shares_csv
+from torquerig.reporting.study.picture_csv import errors_csv, levels_csv, ratings_csv
 from torquerig.reporting.study.tables import best_per_drive, effort_text
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.study.candidates import scenario_of
@@ -66,7 +70,8 @@ def error_picture(runs: StudyRuns, *, present: str) -> Picture | None:
         caption="Reading error of each drive with each filter, bars over the Monte Carlo samples; the present "
         "drive is bold",
         told="Dots of the reading error, a row per drive and a colour per filter; the next table has the numbers.",
-    )
+        name="reading_errors", csv=errors_csv(runs),
+    )  # fmt: skip
 
 
 def shares_picture(runs: StudyRuns) -> Picture | None:
@@ -76,6 +81,7 @@ def shares_picture(runs: StudyRuns) -> Picture | None:
     return picture(
         shares_figure(runs.drives), caption="Shares of the sensor's reading, unfiltered",
         told="Stacked bars of load, cogging, electrical and mechanical share; the tables above have the numbers.",
+        name="shares", csv=shares_csv(runs),
     )  # fmt: skip
 
 
@@ -90,25 +96,45 @@ def rating_picture(decided: Decided, *, winner: str) -> Picture | None:
         caption="Technical against economic rating; the numbers mark the best drives with their best filter, "
         "and the present one",
         told="Scatter of technical rating x against economic rating y of all combinations.",
+        name="s_diagram", csv=ratings_csv(decided),
     )  # fmt: skip
 
 
-def reading_pictures(shown: Filtered, *, role: str) -> Iterator[Picture]:
-    """Yield time signal and spectrum of one drive, before and after its chain."""
+def first_picture(shown: Filtered) -> Picture:
+    """Return the picture of the first screen: 0.3 s of the reading before and after the filter, and the true load."""
+    after = shown.after if shown.chain.stages else shown.before
+    start = min(1.0, shown.before.duration / 2)
+    return picture(
+        signal_figure(shown.before, after, start=start),
+        caption=f"{shown.drive.candidate.name} with the filter {shown.chain.name}: reading before and after, and the "
+        "true load.",
+        told="Torque over time before and after the filter, and the true load.",
+        name="reading", plot=signal_plot(shown.before, after, target=plot_name("reading"), start=start),
+    )  # fmt: skip
+
+
+def reading_pictures(shown: Filtered, *, role: str, number: int, with_signal: bool) -> Iterator[Picture]:
+    """Yield time signal (where it is not the first picture) and spectrum of one drive, before and after its chain."""
     name = f"{shown.drive.candidate.name}, {role}, filter {shown.chain.name}"
     after = shown.after if shown.chain.stages else shown.before
     start = min(1.0, shown.before.duration / 2)
-    yield picture(
-        signal_figure(shown.before, after, start=start), caption=f"{name}: 0.3 s of the reading",
-        told="Torque over time before and after the filter, and the true load.",
-    )  # fmt: skip
+    if with_signal:
+        signal = f"reading_{number}"
+        yield picture(
+            signal_figure(shown.before, after, start=start), caption=f"{name}: 0.3 s of the reading",
+            told="Torque over time before and after the filter, and the true load.",
+            name=signal, plot=signal_plot(shown.before, after, target=plot_name(signal), start=start),
+        )  # fmt: skip
     lines = [line for line in shown.kinematics.lines(4) if line.harmonic <= HARMONICS]
-    figure = spectrum_figure(
-        shown.before, after, lines=lines, motor_speed=shown.motor_speed, ratio=shown.kinematics.ratio
-    )
+    spectrum, speed = f"spectrum_{number}", shown.motor_speed
+    highest = 1.3 * max((line.frequency(speed) for line in lines), default=2000.0)
     yield picture(
-        figure, caption=f"{name}: amplitude spectrum (Hann window) over frequency and order, lines with their causes",
+        spectrum_figure(shown.before, after, lines=lines, motor_speed=speed, ratio=shown.kinematics.ratio),
+        caption=f"{name}: amplitude spectrum (Hann window) over frequency, lines with their causes",
         told="Spectrum before and after the filter; thin lines mark shaft, motor, cogging and electrical lines.",
+        name=spectrum, plot=spectrum_plot(
+            shown.before, after, target=plot_name(spectrum), lines=lines, motor_speed=speed, highest=highest,
+        ),
     )  # fmt: skip
 
 
@@ -129,6 +155,8 @@ def report_filter(drive: DriveResult, runs: StudyRuns) -> tuple[Picture, Table] 
         caption=f"{drive.candidate.name}: spectrum before and after the filter; triangles mark its "
         f"{len(effect.levels)} notched lines",
         told="Spectra before and after the filter; the amplitude at each marked line is near zero after it.",
+        name="notched_lines",
+        csv=levels_csv(effect, unit=drive.disturbance.unit),
     )
     return made, levels_table(effect, unit=effort_text(drive))
 

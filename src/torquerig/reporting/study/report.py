@@ -41,12 +41,11 @@ def write_study_report(
         When the folder is a file or cannot be written to.
     """
     with replaced_folder(folder) as fresh:
-        texts = {
-            PAGE: study_page(runs, decided, verdict, changes=changes or (), edits=edits),
-            COMBINATIONS: combinations_csv(runs, decided),
-            SHARES: shares_csv(runs),
-        }
+        texts = {COMBINATIONS: combinations_csv(runs, decided), SHARES: shares_csv(runs)}
         for name, text in texts.items():
             (fresh / name).write_text(text, encoding="utf-8", newline="\n")
         write_workbook(fresh / MATRICES, runs, decided, verdict)
+        files = {name: (fresh / name).read_bytes() for name in (COMBINATIONS, SHARES, MATRICES)}
+        page = study_page(runs, decided, verdict, changes=changes or (), edits=edits, files=files)
+        (fresh / PAGE).write_text(page, encoding="utf-8", newline="\n")
     return [folder / name for name in (PAGE, COMBINATIONS, SHARES, MATRICES)]

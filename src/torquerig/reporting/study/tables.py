@@ -98,7 +98,7 @@ def error_table(runs: StudyRuns, *, present: str) -> Table:
     highlighted = frozenset(row for row, drive in enumerate(runs.drives) if drive.candidate.name == present)
     unit = effort_text(runs.drives[0])
     return Table(
-        caption=f"Reading error [{unit}], rms of filtered reading minus true load: simulated; green is small",
+        caption=f"Reading error [{unit}], rms of filtered reading minus true load: simulated; blue is small",
         head=("drive", *names), rows=rows, emphasised=highlighted,
         note="Median of the Monte Carlo samples. The tooltip of a number has their extremes, and the standard error by "
         "the random load; combinations.csv has both.",

@@ -78,7 +78,8 @@ def what_to_do(decided: Decided, made: MatrixVerdict) -> WhatToDo:
 
 
 def _how_sure(answer: WhatToDo, made: MatrixVerdict) -> str:
-    return f"How sure: {answer.certainty_text}; best in {made.best_shares['together']:.0%} of the Monte Carlo samples."
+    share = 100 * made.best_shares["together"]
+    return f"How sure: {answer.certainty_text}; best in {share:.0f} % of the Monte Carlo samples."
 
 
 def _certainty(decided: Decided, made: MatrixVerdict) -> Certainty:

@@ -1,0 +1,61 @@
+"""Scripts and data written into a page, so that it opens from anywhere without a request to the net."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+from markupsafe import Markup
+
+from torquerig.harmless import harmless
+
+PLOTS = ("pyramid.js", "plots.js")
+MATRICES = ("matrix_engine.js", "matrix_controls.js", "matrix_tables.js")
+FIRST, PAGE = ("elements.js",), ("tables.js", "page.js")
+
+
+@cache
+def page_scripts(*, with_plots: bool = True, with_matrices: bool = True) -> Markup:
+    """Return the script elements of a page: Bokeh where it has plots, and the scripts of this package."""
+    wanted = (*FIRST, *(PLOTS if with_plots else ()), *(MATRICES if with_matrices else ()), *PAGE)
+    texts = [_bokeh()] if with_plots else []
+    texts.append("\n".join(_own(name) for name in wanted))
+    return Markup("\n".join(f"<script>{text}</script>" for text in texts))  # noqa: S704 (texts of installed packages)
+
+
+def data_script(name: str, content: Any) -> Markup:
+    """Return a script element with data as JSON; no text in it ends the element or acts on a terminal."""
+    return Markup('<script type="application/json" id="{}">{}</script>').format(name, _safe_json(content))
+
+
+def csv_script(text: str) -> Markup:
+    """Return a script element with a CSV text, inside the figure that it belongs to."""
+    return Markup('<script type="application/json" class="csv">{}</script>').format(_safe_json(text))
+
+
+def _safe_json(content: Any) -> Markup:
+    text = json.dumps(_cleaned(content), ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    safe = text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
+    return Markup(safe)  # noqa: S704 (nothing in it can end the element)
+
+
+def _cleaned(content: Any) -> Any:
+    """Return data with each text of foreign files made harmless."""
+    if isinstance(content, str):
+        return harmless(content)
+    if isinstance(content, dict):
+        return {str(key): _cleaned(value) for key, value in content.items()}
+    return [_cleaned(one) for one in content] if isinstance(content, list | tuple) else content
+
+
+def _own(name: str) -> str:
+    return files("torquerig.reporting").joinpath("templates", "scripts", name).read_text(encoding="utf-8")
+
+
+def _bokeh() -> str:
+    from bokeh.resources import Resources
+
+    found = Resources(mode="inline", components=["bokeh"]).js_raw
+    return "\n".join(found).replace("</script", "<\\/script")

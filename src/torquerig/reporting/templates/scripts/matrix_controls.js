@@ -1,0 +1,112 @@
+"use strict";
+// Sliders and fields for weights, limits and points; each change computes the matrices again.
+
+function unitText(unit) {
+  return unit === "1" || unit === "yes/no" ? "" : ` [${unit.replace("*", " ")}]`;
+}
+
+function numberField(label, value, attributes, changed) {
+  const input = element("input", { type: "number", step: "any", value: value === null ? "" : value, "aria-label": label, ...attributes });
+  input.addEventListener("input", () => {
+    const number = input.value === "" ? null : Number(input.value);
+    const message = input.validity.valid ? changed(number) : input.validationMessage;
+    input.setCustomValidity(message || "");
+    input.setAttribute("aria-invalid", message ? "true" : "false");
+    input.title = message || "";
+  });
+  return input;
+}
+
+function weightRow(model, at, changed) {
+  const criterion = model.criteria[at], label = `weight of ${criterion.name}`;
+  const most = Math.max(1, ...model.criteria.map((one) => one.weight));
+  const slider = element("input", { type: "range", min: 0, max: most, step: "any", value: criterion.weight, "aria-label": label });
+  const field = numberField(`${label}, number`, criterion.weight, { min: 0 }, (value) => {
+    if (value === null) return "write a number of at least 0";
+    slider.value = value;
+    return changed(() => { criterion.weight = value; });
+  });
+  slider.addEventListener("input", () => {
+    field.value = Number(Number(slider.value).toPrecision(3));
+    changed(() => { criterion.weight = Number(field.value); });
+  });
+  return element("div", { class: "control" }, element("span", { text: criterion.name + unitText(criterion.unit) }), slider, field);
+}
+
+function knotsProblem(knots, better) {
+  let fell = false;
+  for (let at = 1; at < knots.length; at += 1) {
+    const step = knots[at][1] - knots[at - 1][1];
+    if (better === "more" && step < 0) return "more is better, so the points may not fall";
+    if (better === "less" && step > 0) return "less is better, so the points may not rise";
+    if (better === "band" && fell && step > 0) return "a band is best, so the points may not rise again after they fell";
+    fell = fell || step < 0;
+  }
+  return "";
+}
+
+function pointsRow(model, at, changed) {
+  const criterion = model.criteria[at], { min, max } = model.profile;
+  const fields = criterion.knots.map(([value], knot) => {
+    const label = `points of ${criterion.name} at ${value}`;
+    const field = numberField(label, criterion.knots[knot][1], { min, max }, (points) => {
+      if (points === null) return `write points from ${min} to ${max}`;
+      const before = criterion.knots[knot][1];
+      criterion.knots[knot][1] = points;
+      const problem = knotsProblem(criterion.knots, criterion.better);
+      if (problem) criterion.knots[knot][1] = before;
+      return problem || changed(() => {});
+    });
+    return element("label", { class: "knot" }, element("span", { text: `${value}` }), field);
+  });
+  return element("div", { class: "control knots" }, element("span", { text: criterion.name + unitText(criterion.unit) }), element("div", {}, ...fields));
+}
+
+function limitRow(model, at, changed) {
+  const limit = model.requirements[at];
+  const end = (which, word) => (limit[which] === null ? null : element("label", { class: "knot" }, element("span", { text: word }),
+    numberField(`${word} of ${limit.name}`, limit[which], {}, (value) => {
+      if (value === null) return "write a number";
+      return changed(() => { limit[which] = value; });
+    })));
+  return element("div", { class: "control knots" }, element("span", { text: limit.name + unitText(limit.unit) }),
+    element("div", {}, end("low", "at least"), end("high", "at most")));
+}
+
+function startMatrices() {
+  const host = document.getElementById("matrix-controls");
+  if (!host) return;
+  const stated = readMatrix(), state = { model: readMatrix() };
+  const render = () => {
+    const solved = solveMatrices(state.model);
+    if (solved.overall === null) return "all weights are 0; give at least one criterion a weight above 0";
+    showMatrices(state.model, solved, stated);
+    return "";
+  };
+  const changed = (edit) => {
+    const before = JSON.parse(JSON.stringify(state.model));
+    edit();
+    const problem = render();
+    if (problem) Object.assign(state.model, before);
+    document.getElementById("matrix-problem").textContent = problem;
+    return problem;
+  };
+  const build = () => {
+    const groups = [
+      ["Weights", state.model.criteria.map((one, at) => (one.knots ? weightRow(state.model, at, changed) : null))],
+      ["Limits", state.model.requirements.map((_, at) => limitRow(state.model, at, changed))],
+      ["Points", state.model.criteria.map((one, at) => (one.knots && one.weight > 0 ? pointsRow(state.model, at, changed) : null))],
+    ];
+    host.replaceChildren(
+      ...groups.filter(([, rows]) => rows.some(Boolean)).map(([title, rows]) => element("fieldset", {}, element("legend", { text: title }), ...rows)),
+      element("button", { type: "button", id: "matrix-reset", text: "Back to the stated values", onclick: () => { state.model = readMatrix(); build(); render(); } }),
+    );
+  };
+  build();
+  render();
+  window.torquerigMatrices = { state, changed, render };
+}
+
+function readMatrix() {
+  return JSON.parse(document.getElementById("data-matrix").textContent);
+}
