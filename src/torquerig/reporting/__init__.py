@@ -11,6 +11,7 @@
 ``figures/``           pictures of signals, spectra, orders, modes, rankings
 ``json_results/``      what ``--json`` of each command writes
 ``layout``             tables of a page; ``html``: a page from its template
+``pdf``                a page printed by a headless browser
 ``replaced_folder``    replacement of a folder in one step
 ====================== ============================================================================
 """
