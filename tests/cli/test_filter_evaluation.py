@@ -30,7 +30,7 @@ def run(capsys, *arguments):
     return capsys.readouterr().out
 
 
-def test_it_judges_by_truth_and_placebo_and_draws_four_panels(reading, capsys):
+def test_it_judges_by_truth_and_placebo_and_draws_signal_and_spectrum(reading, capsys):
     told = run(capsys, "filter", "known.parquet", "--chain", "report_filter_code", "--evaluate")
     assert "positions without lines" in told
     assert "error to the true load" in told

@@ -4,6 +4,9 @@ from matplotlib.colors import to_rgb
 
 from torquerig.errors import InputError
 from torquerig.metrics.figure import Figure
+from torquerig.orders.kinematics.kinematic_lines import Kinematics
+from torquerig.recordings.recording import Channel, Recording
+from torquerig.reporting.figures.before_after_figure import before_after_figure
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure, svg, write_picture
 from torquerig.reporting.figures.shades import GOOD_IS_HIGH, GOOD_IS_LOW, shade
@@ -91,3 +94,19 @@ def _luminance(colour):
     """Relative luminance of an sRGB colour, WCAG 2.2."""
     linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in colour]
     return float(np.dot([0.2126, 0.7152, 0.0722], linear))
+
+
+def test_a_picture_of_a_filter_has_the_time_signal_above_the_spectrum():
+    time = np.arange(20_000) / 5000
+    values = 1 + 0.2 * np.sin(2 * np.pi * 100 * time)
+    before = Recording(sample_rate=5000.0, channels={"torque_V": Channel(values=values, quantity="torque", unit="V")})
+    after = before.with_values("torque_V", np.ones(values.size))
+    lines = Kinematics(pole_pairs=7, slots=12, ratio=5.0).lines(1)
+    figure = before_after_figure(before, after, lines=lines, motor_speed=2 * np.pi * 100 / 6, ratio=5.0)
+    signal, spectrum = figure.axes[:2]
+    assert signal.get_xlim() == pytest.approx((1.0, 1.3))
+    # both ends of the sine, not an average; 50 samples a period miss its peak by 1 - cos(3.6 deg)
+    assert np.ptp(signal.lines[0].get_ydata()) == pytest.approx(0.4, rel=3e-3)
+    assert np.ptp(signal.lines[1].get_ydata()) == 0
+    assert spectrum.get_xlabel() == "frequency [Hz]"
+    assert spectrum.lines[0].get_ydata().max() == pytest.approx(0.2, rel=1e-3)

@@ -71,7 +71,9 @@ _AS_THEY_ARE = "suspicious samples are filtered as they are"
     help="Scenario of the rig: the lines of all its shafts, meshes, belts and bearings.",
 )
 @click.option("--out", type=click.Path(path_type=Path), default=None, help="Write the filtered recording (one chain).")
-@click.option("--picture", type=click.Path(path_type=Path), default=None, help="Draw the spectrum before and after.")
+@click.option(
+    "--picture", type=click.Path(path_type=Path), default=None, help="Draw time signal and spectrum before and after."
+)
 @click.option(
     "--evaluate", is_flag=True, help="Evaluate each chain: placebo test, step response, error to the true load, figure."
 )
@@ -236,12 +238,12 @@ def _seconds(written: str) -> float:
 def _draw(
     before: Recording, after: Recording, chain: Chain, kinematics: Kinematics, path: Path, *, force: bool
 ) -> None:
+    from torquerig.reporting.figures.before_after_figure import before_after_figure
     from torquerig.reporting.figures.picture import write_picture
-    from torquerig.reporting.figures.spectrum_figure import spectrum_figure
 
     lines = chain.lines or kinematics.lines()
     speed = set_point_speed(before, "the order lines of a picture")
-    figure = spectrum_figure(before, after, lines=lines, motor_speed=speed, ratio=kinematics.ratio)
+    figure = before_after_figure(before, after, lines=lines, motor_speed=speed, ratio=kinematics.ratio)
     write_picture(figure, path, overwrite=force)
     click.echo(f"wrote {path}")
 

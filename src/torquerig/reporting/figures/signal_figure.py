@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from torquerig.metrics.truth_error import true_load
@@ -19,7 +20,14 @@ def signal_figure(
 ) -> Figure:
     """Return ``duration`` seconds of the torque from ``start`` [s]; the true load where the recording has it."""
     figure = new_figure(10.5, 2.7)
-    axes = figure.add_subplot()
+    draw_signal(figure.add_subplot(), before, after, start=start, duration=duration, title=title)
+    return figure
+
+
+def draw_signal(
+    axes: Axes, before: Recording, after: Recording, *, start: float, duration: float, title: str = ""
+) -> None:
+    """Draw ``duration`` seconds of the torque from ``start`` [s] into ``axes``."""
     time = before.time()
     kept = (time >= start) & (time <= start + duration)
     curves = [("before the filter", before.torque(), BEFORE, 0.8)]
@@ -37,4 +45,3 @@ def signal_figure(
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8, frameon=False)
     if title:
         axes.set_title(title, loc="left")
-    return figure

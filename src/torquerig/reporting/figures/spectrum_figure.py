@@ -45,7 +45,18 @@ def spectrum_figure(
         End of the frequency axis [Hz]; 1.3 times the highest line when not given.
     """
     figure = new_figure(10.5, 5.0)
-    axes = figure.add_subplot()
+    draw_spectrum(
+        figure.add_subplot(), before, after, lines=lines, motor_speed=motor_speed, ratio=ratio, highest=highest,
+        title=title,
+    )  # fmt: skip
+    return figure
+
+
+def draw_spectrum(
+    axes: Axes, before: Recording, after: Recording, *, lines: Sequence[KinematicLine], motor_speed: float,
+    ratio: float, highest: float | None = None, title: str = "",
+) -> None:  # fmt: skip
+    """Draw the amplitudes of both recordings into ``axes``; parameters as for :func:`spectrum_figure`."""
     top = highest or 1.3 * max((line.frequency(motor_speed) for line in lines), default=2000.0)
     peak = _draw(axes, before, top, colour=BEFORE, label="before" if after is not before else "reading")
     if after is not before:
@@ -55,7 +66,6 @@ def spectrum_figure(
     mark_lines(axes, shown, motor_speed=motor_speed)
     if title:
         axes.set_title(title, loc="left", pad=8)
-    return figure
 
 
 def mark_lines(axes: Axes, lines: Sequence[KinematicLine], *, motor_speed: float, labels: bool = True) -> None:
