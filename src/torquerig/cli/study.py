@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -21,7 +22,13 @@ from torquerig.reporting.json_results.draws import (
     drawn_combinations,
     open_values,
 )
-from torquerig.reporting.study.draws_text import answer_text, convergence_text, left_out_text, ranked_draws_text
+from torquerig.reporting.study.draws_text import (
+    answer_text,
+    convergence_text,
+    left_out_text,
+    lost_draws_text,
+    ranked_draws_text,
+)
 from torquerig.reporting.study.sensitivity_text import asked_first_text, decisive_text, effects_text, too_few_text
 from torquerig.scenario.overrides import overridden
 from torquerig.study.candidates import left_out_gearboxes
@@ -30,6 +37,7 @@ from torquerig.study.definition import open_study
 if TYPE_CHECKING:
     from torquerig.cases.block import Engine
     from torquerig.study.monte_carlo.design import Method
+    from torquerig.study.monte_carlo.lost_draws import LostDraws
 
 _POINTS = {None: "draws", "sobol": "base points", "morris": "paths"}
 
@@ -71,6 +79,7 @@ def command(
     engine, unit = _engine(workers, cluster), drawn.study.effort_unit
     combinations: tuple[DrawnCombination, ...] = ()
     eliminated: dict[str, str] = {}
+    lost: Mapping[str, LostDraws] = {}
     effects: tuple[OpenValue, ...] = ()
     decisive: tuple[DecisiveValue, ...] = ()
     with case_progress(f"{draws} {_POINTS[method]} of {len(drawn.drives)} drives") as progress:
@@ -78,10 +87,11 @@ def command(
             found = run_draws(drawn, draws, folder=folder, engine=engine, progress=progress)
             texts = [
                 wrapped(answer_text(found.ranking)), ranked_draws_text(drawn, found.ranking, found.tables),
-                convergence_text(found.ranking), left_out_text(drawn, found.ranking),
+                lost_draws_text(found.lost), convergence_text(found.ranking), left_out_text(drawn, found.ranking),
             ]  # fmt: skip
             run, sentence = found.run, answer_text(found.ranking)
             combinations, eliminated = drawn_combinations(drawn, found), dict(found.ranking.eliminated)
+            lost = found.lost
         else:
             made = run_design(drawn, method, draws, folder=folder, engine=engine, progress=progress)
             texts = [
@@ -98,8 +108,9 @@ def command(
     notes = (*([left_out_gearboxes(study)] if not_compared else []), *run.notes)
     return StudyResult(
         seed=study.settings.seed, method=method or "draws", sentence=sentence, combinations=combinations,
-        eliminated=eliminated, not_simulated=dict(drawn.left_out), effects=effects, decisive=decisive, cases=run.total,
-        failed=run.failed, unfinished=run.unfinished, notes=notes, rows=f"{run.folder.as_posix()}/rows/*.parquet",
+        eliminated=eliminated, not_simulated=dict(drawn.left_out), lost=lost, effects=effects, decisive=decisive,
+        cases=run.total, failed=run.failed, unfinished=run.unfinished, notes=notes,
+        rows=f"{run.folder.as_posix()}/rows/*.parquet",
     )  # fmt: skip
 
 

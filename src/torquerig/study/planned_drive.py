@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import pi, prod
 
 from torquerig.metrics.drive_margins import Duty, drive_margins
@@ -15,9 +15,10 @@ from torquerig.scenario.kinematics import stages_to, torque_gain, turns_to
 from torquerig.scenario.mean_load import mean_load
 from torquerig.scenario.model import Scenario
 from torquerig.simulation.inputs import Span
-from torquerig.study.candidates import Candidate, scenario_of
+from torquerig.study.candidates import Candidate, reader_of, tuned_scenario
 from torquerig.study.definition import Study
 from torquerig.study.exchanged_data import is_new_stage, look_up_stage
+from torquerig.study.loop_margin import has_stable_loop
 from torquerig.study.preflight import out_of_reach
 from torquerig.study.results import DriveResult
 from torquerig.study.settings import SpeedLoopRule, metrics_of
@@ -35,8 +36,8 @@ class PlannedDrive:
     result : DriveResult
         With everything that no simulation is needed for.
     samples : tuple of Scenario
-        The Monte Carlo samples of the catalog, to be simulated; empty for a drive that cannot reach its speed, torque
-        or voltage.
+        The Monte Carlo samples of the catalog, to be simulated, without those whose speed loop is unstable; empty for a
+        drive that cannot reach its speed, torque or voltage.
     """
 
     result: DriveResult
@@ -66,8 +67,11 @@ def planned_drive(candidate: Candidate, scenario: Scenario, study: Study) -> Pla
     )
     if reason:
         return PlannedDrive(result=result, samples=())
-    further = (scenario_of(candidate, study, seed=seed + number) for number in range(1, draws + 1))
-    return PlannedDrive(result=result, samples=(scenario, *further))
+    reader = reader_of(candidate, study)
+    further = [tuned_scenario(reader, study, seed=seed + number) for number in range(1, draws + 1)]
+    stable = [one for one in further if has_stable_loop(one.rig, rate=one.recording.sample_rate)]
+    result = replace(result, unstable_samples=len(further) - len(stable))
+    return PlannedDrive(result=result, samples=(scenario, *stable))
 
 
 def sample_span(scenario: Scenario, study: Study, *, number: int = 0, settling: float = 0.0) -> Span:

@@ -59,6 +59,8 @@ class DriveResult:
     chains : mapping of str to ChainResult
     loop : LoopMargin or None
         How far the tuned speed loop is from instability.
+    unstable_samples : int
+        Samples of the catalog whose speed loop is unstable; they have no part in the figures.
     omitted : Figure
         Rms at the sensor of a commutation ripple that the motor's known lines leave out [N m]; unknown where none is.
     taken : mapping of str to FromCatalog
@@ -81,6 +83,7 @@ class DriveResult:
     chains: Mapping[str, ChainResult]
     load_path: LoadPath | None = None
     loop: LoopMargin | None = None
+    unstable_samples: int = 0
     omitted: Figure = field(default_factory=lambda: Figure(unit="N*m"))
     taken: Mapping[str, FromCatalog] = field(default_factory=dict)
     duration: float = 0.0

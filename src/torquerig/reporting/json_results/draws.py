@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from torquerig.reporting.json_results.values import Interval, Missing, Quantity, known
 from torquerig.study.monte_carlo.distribution import distribution, share_uncertainty
 from torquerig.study.monte_carlo.drawn_study import DrawnStudy, error_column
+from torquerig.study.monte_carlo.lost_draws import LostDraws
 from torquerig.study.monte_carlo.running import DesignedDraws, Draws
 from torquerig.study.optimisation.search import Optimum
 from torquerig.study.optimisation.tried import Tried
@@ -50,7 +51,8 @@ class DecisiveValue:
 class StudyResult:
     """The distribution of the ranking, or the effects of the open values (``--sensitivity``).
 
-    ``cases``, ``failed`` and ``unfinished`` count the cases of the store; ``rows`` names its tables.
+    ``cases``, ``failed`` and ``unfinished`` count the cases of the store; ``rows`` names its tables. ``lost`` has the
+    drives with draws that have no figures: how many, and why.
     """
 
     seed: int
@@ -59,6 +61,7 @@ class StudyResult:
     combinations: tuple[DrawnCombination, ...]
     eliminated: Mapping[str, str]
     not_simulated: Mapping[str, str]
+    lost: Mapping[str, LostDraws]
     effects: tuple[OpenValue, ...]
     decisive: tuple[DecisiveValue, ...]
     cases: int

@@ -148,11 +148,18 @@ def _left_out(runs: StudyRuns) -> tuple[str, ...]:
 
 
 def narrow_loops(runs: StudyRuns) -> tuple[str, ...]:
-    """Return the drives whose speed loop is nearer to instability than is usual, a sentence each."""
-    return tuple(
+    """Return the drives whose speed loop is unstable in some samples, or nearer to instability than is usual."""
+    samples = 1 + runs.study.settings.draws
+    unstable = (
+        f"{drive.candidate.name}: its speed loop is unstable in {drive.unstable_samples} of {samples} samples of the "
+        "catalog, which have no part in its figures; lower study: speed_loop: crossover."
+        for drive in runs.drives if drive.unstable_samples
+    )  # fmt: skip
+    near = (
         f"{drive.candidate.name}: {drive.loop.doubt}."
         for drive in runs.drives if drive.loop is not None and drive.loop.doubt
     )  # fmt: skip
+    return (*unstable, *near)
 
 
 def omitted_ripple(runs: StudyRuns) -> tuple[str, ...]:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from torquerig.plain_table import grid, wrapped
 from torquerig.study.monte_carlo.distribution import distribution, share_uncertainty
 from torquerig.study.monte_carlo.drawn_study import DrawnStudy, error_column
+from torquerig.study.monte_carlo.lost_draws import LostDraws
 from torquerig.study.monte_carlo.ranking import Ranking
 
 Floats = NDArray[np.float64]
@@ -65,6 +66,11 @@ def ranked_draws_text(drawn: DrawnStudy, ranking: Ranking, tables: Mapping[str, 
             ]
         )  # fmt: skip
     return grid(rows)
+
+
+def lost_draws_text(lost: Mapping[str, LostDraws]) -> str:
+    """Return the draws at which drives have no figures, with the reasons; empty for none."""
+    return "\n".join(wrapped(one.sentence(drive)) for drive, one in lost.items())
 
 
 def left_out_text(drawn: DrawnStudy, ranking: Ranking) -> str:

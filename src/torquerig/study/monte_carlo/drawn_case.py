@@ -20,6 +20,7 @@ from torquerig.scenario.model import Scenario
 from torquerig.simulation.batch import simulate_part
 from torquerig.simulation.batch_parts import BatchRun, alike
 from torquerig.simulation.true_lines import without_lines
+from torquerig.study.loop_margin import UNSTABLE, has_stable_loop
 from torquerig.study.monte_carlo.drawn_study import DrawnStudy, error_column, residual_column
 from torquerig.study.monte_carlo.replayed_files import changed_file
 from torquerig.study.planned_drive import sample_span
@@ -39,8 +40,8 @@ class _Drawn:
 def drawn_rows(drawn: DrawnStudy, cases: Sequence[Case]) -> list[Row | Failed]:
     """Return the figures of each case: reading error behind each filter, and what else a criterion uses.
 
-    All cases have the load of the study's seed; their draws change the drive. Whether the speed loop is stable is
-    checked for the first sample of a drive only. Cases of one drive fill the vector registers best.
+    All cases have the load of the study's seed; their draws change the drive. A draw whose speed loop is unstable has
+    no figures, but the reason in ``out_of_reach``. Cases of one drive fill the vector registers best.
     """
     made = [_drawn(drawn, case) for case in cases]
     runs = [run for one in made if isinstance(one, _Drawn) for run in one.runs]
@@ -71,6 +72,8 @@ def _drawn(drawn: DrawnStudy, case: Case) -> _Drawn | Row | Failed:
         return {"out_of_reach": reason}
     span = sample_span(scenario, study, number=case.seed - study.settings.seed)
     runs = [BatchRun.of(scenario.rig, span)]
+    if not has_stable_loop(scenario.rig, rate=span.rate, lowered=runs[0].lowered):
+        return {"out_of_reach": f"{UNSTABLE} at this draw; lower study: speed_loop: crossover"}
     if drawn.metrics & {"disturbance", "residual_disturbance"}:
         quiet = without_lines(scenario.rig)
         runs.append(BatchRun.of(quiet, span, staged="residual_disturbance" in drawn.metrics))

@@ -14,6 +14,7 @@ from torquerig.study.candidates import scenario_of
 from torquerig.study.monte_carlo.design import Design, Method, design_of
 from torquerig.study.monte_carlo.drawn_case import drawn_rows
 from torquerig.study.monte_carlo.drawn_study import DrawnStudy, cases_of_draws
+from torquerig.study.monte_carlo.lost_draws import LostDraws, lost_draws
 from torquerig.study.monte_carlo.ranking import Floats, Ranking, Rating, rating_of, tables_of
 from torquerig.study.monte_carlo.sensitivity import Sensitivity, sensitivity
 
@@ -28,11 +29,12 @@ SECONDS = 600.0  # [s] on the clock after which a case is given up; one takes so
 
 @dataclass(frozen=True)
 class Draws:
-    """The draws of a study: the run that computed or found them, their tables, and the ranking."""
+    """The draws of a study: the run that computed or found them, their tables, the ranking, and what has no figures."""
 
     run: StudyRun
     tables: dict[str, Floats]
     ranking: Ranking
+    lost: Mapping[str, LostDraws]
 
 
 def run_draws(
@@ -57,7 +59,7 @@ def run_draws(
     rows = run.rows()
     asked = rows[rows["draw"] < draws]
     tables = tables_of(drawn, asked)
-    return Draws(run, tables, _ranked(rating, tables, asked))
+    return Draws(run, tables, _ranked(rating, tables, asked), lost_draws(asked))
 
 
 @dataclass(frozen=True)
