@@ -137,6 +137,10 @@ class Estimate:
         raise TypeError("annotate an Estimate field with Parameter(unit, meaning)")
 
 
+WRITTEN_AS = "torquerig_written_as"
+"""Key in the metadata of a field's schema: how its number is written, for the JSON Schema of the file."""
+
+
 @dataclass(frozen=True)
 class Parameter:
     """The declaration of a numeric field: ``inertia: Annotated[float, Parameter("kg*m^2", "rotor inertia", low=0)]``.
@@ -239,7 +243,8 @@ class Parameter:
             except UnitError as error:
                 raise ValueError(str(error)) from None
 
-        return core_schema.with_info_plain_validator_function(validator)
+        metadata = {WRITTEN_AS: {"meaning": self.meaning, "unit": self.unit, "estimate": source is Estimate}}
+        return core_schema.with_info_plain_validator_function(validator, metadata=metadata)
 
 
 def _written(number: float, unit: str) -> str:

@@ -58,7 +58,13 @@ SLOW: dict[str, tuple[str, ...]] = {
     "study": ("study", *SMALL_STUDY, "--draws", "2", "--workers", "1"),
 }
 FULL: dict[str, tuple[str, ...]] = {
-    "compare-points": ("compare", *SMALL_STUDY, "--all-points"),
+    "compare-points": (
+        "compare",
+        *SMALL_STUDY,
+        "--all-points",
+        "--set",
+        "study.all_points={occupancy: [5 %], particle_size: [0.5 mm]}",
+    ),
     "reference-decision": ("reference-decision", "--draws", "0"),
     "reference-results": ("reference-results",),
 }

@@ -9,9 +9,11 @@ from typing import Any
 
 import click
 import pytest
+from jsonschema import Draft202012Validator
 
 from tests.cli.json_calls import CALLS, FULL, QUICK, SLOW, WEAR_RIG, make_inputs
 from torquerig.cli import COMMANDS, group, main
+from torquerig.reporting.file_schemas.named import schema_named
 from torquerig.reporting.json_results.registry import RESULTS
 
 
@@ -74,6 +76,7 @@ def test_json_alone_is_printed_and_the_file_is_the_same(
     document = json.loads(printed)
     assert document["schema"] == f"torquerig.{name}/1"
     assert len(document["provenance"]["source_sha256"]) == 64
+    Draft202012Validator(schema_named(f"{name}-json")).validate(document)
     if name != "diagnosis":
         assert sorted(nulls(document)) == sorted(one["at"] for one in document["missing"])
         assert all(one["reason"] for one in document["missing"])

@@ -78,7 +78,7 @@ BAD = {
     "unknown criterion": (("    price: 400", "    prise: 400"), "motor B.prise: unknown criterion; did you mean"),
     "unknown motor": (("seed: 1 ", "motors: {servo A: HDS6A-0104B} "), "servo A: there is no motor 'HDS6A-0104B'"),
     "duplicate name": (("  servo A:", "  present drive:"), "the key 'present drive' is already in line"),
-    "no such baseline": (("baseline: present drive", "baseline: servo B"), "yaml:18: baseline: the baseline 'servo B'"),
+    "no such baseline": (("baseline: present drive", "baseline: servo B"), "yaml:19: baseline: the baseline 'servo B'"),
     "not monotone": (("[0.02, 4]", "[0.02, 0.5]"), "the value function is not monotone: from 0.02 to 0.1"),
     "override without reason": (("    price: 400", "    price: {value: 4, by_hand: {points: 3}}"), "needs its reason"),
 }  # fmt: skip

@@ -162,10 +162,10 @@ def test_keys_of_earlier_versions_are_read_with_one_notice(capsys):
 
 
 def test_a_key_under_its_old_and_its_new_name_is_refused():
-    with pytest.raises(InputError, match=r"\.yaml:18: datum: is the old name of 'baseline'; keep one of them"):
+    with pytest.raises(InputError, match=r"\.yaml:19: datum: is the old name of 'baseline'; keep one of them"):
         edited("baseline: present drive", "datum: servo A\nbaseline: present drive")
 
 
 def test_an_error_below_an_old_key_names_its_line():
-    with pytest.raises(InputError, match=r"\.yaml:25: criteria.servo drive.requirement.minimum: unknown key"):
+    with pytest.raises(InputError, match=r"\.yaml:26: criteria.servo drive.requirement.minimum: unknown key"):
         edited("requirement: {min: 1}", "demand: {minimum: 1}")

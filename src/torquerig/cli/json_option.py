@@ -70,7 +70,8 @@ def json_option(
             stated = getattr(result, "seed", None) if kwargs.get("seed") is None else kwargs["seed"]
             seed = stated if isinstance(stated, int) else None
             origin = provenance_of(inputs, seed=seed, catalogs=_catalogs(kwargs))
-            write_json(json_text(json_document(command, result, origin)), json_out)
+            name = getattr(result, "json_name", command)  # --all-points of compare has a result of another form
+            write_json(json_text(json_document(name, result, origin)), json_out)
             _done(made)
 
         return run
@@ -160,5 +161,5 @@ def _check(out: Path, command: str, kwargs: dict[str, Any], reads: Sequence[str]
     others = [value for name, value in kwargs.items() if name not in reads]
     if out.resolve() in {path.resolve() for path in _paths(others)}:
         raise click.UsageError(f"{out}: two outputs have this path; name two files")
-    mark = f'"schema": "torquerig.{command}/'
+    mark = f'"schema": "torquerig.{command}'
     check_output_paths([(out, mark)], inputs=inputs, what=f"JSON of torquerig {command.replace('-', ' ')}")

@@ -13,6 +13,7 @@ from torquerig.recordings.files.sidecar_choice import sidecar_target
 from torquerig.recordings.inspection.draft_sidecar import draft_sidecar
 from torquerig.recordings.inspection.file_contents import file_contents
 from torquerig.reporting.json_results.simulate import WrittenResult, named
+from torquerig.schema_comment import schema_comment
 from torquerig.whole_file import whole_file
 
 
@@ -41,7 +42,7 @@ def command(*, recordings: tuple[Path, ...], as_text: bool, force: bool) -> Writ
             texts[path.name] = text
             continue
         with whole_file(target) as partial:
-            partial.write_text(text, encoding="utf-8")
+            partial.write_text(schema_comment(target, "sidecar") + text, encoding="utf-8")
         edits = text.count("# EDIT")
         click.echo(f"wrote {target}" + (f"; complete its {edits} lines with EDIT" if edits else ""))
         notes += [f"{target.name}: {edits} lines with EDIT to complete"] if edits else []

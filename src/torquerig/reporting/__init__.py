@@ -9,6 +9,7 @@
 ``reference_report/``  results and decision of the reference report next to the simulated rig
 ``moving/``            plots and matrices that a reader moves in the page
 ``figures/``           pictures of signals, spectra, orders, modes, rankings
+``file_schemas/``      JSON Schemas of the files that torquerig reads and writes
 ``json_results/``      what ``--json`` of each command writes
 ``layout``             tables of a page; ``html``: a page from its template
 ``pdf``                a page printed by a headless browser

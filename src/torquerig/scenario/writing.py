@@ -13,6 +13,7 @@ from torquerig.parameter import Estimate, Parameter
 from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.measured import written_measured
 from torquerig.scenario.numbers.uncertain_text import by_part, with_uncertainty
+from torquerig.schema_comment import schema_comment
 from torquerig.units import written_quantity
 from torquerig.whole_file import whole_file
 
@@ -71,7 +72,7 @@ def write_scenario(path: Path, text: str, *, overwrite: bool) -> None:
     if path.exists() and not overwrite:
         raise InputError(f"{path} exists already; choose another name, or add --force to replace it")
     with whole_file(path) as partial:
-        partial.write_text(text, encoding="utf-8", newline="\n")
+        partial.write_text(schema_comment(path, "scenario") + text, encoding="utf-8", newline="\n")
 
 
 def _written(value: Any, hint: Any, in_a_line: bool) -> Any:

@@ -11,6 +11,7 @@ from torquerig.recordings.files.sidecar_choice import sidecar_target
 from torquerig.recordings.files.sidecar_text import sidecar_text
 from torquerig.recordings.files.writing import check_target, refuse_names, write_recording
 from torquerig.recordings.recording import Recording
+from torquerig.schema_comment import schema_comment
 from torquerig.synthetic.faults.measured import STAMPS
 from torquerig.synthetic.faults.registry import BY_NAME
 from torquerig.whole_file import whole_files
@@ -53,5 +54,5 @@ def write_synthetic(recording: Recording, path: Path, *, overwrite: bool = False
         with partial.open("wb") as file:
             write_header(file, plain)
             append_csv(file, {name: one.values for name, one in plain.channels.items()}, times=stamps.values)
-        partial_sidecar.write_bytes(text.encode())
+        partial_sidecar.write_bytes((schema_comment(sidecar, "sidecar") + text).encode())
     return [path, sidecar]

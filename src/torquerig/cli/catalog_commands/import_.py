@@ -18,6 +18,7 @@ from torquerig.cli.common_options import catalog_option
 from torquerig.cli.json_option import json_option
 from torquerig.errors import InputError
 from torquerig.reporting.json_results.simulate import WrittenResult, named
+from torquerig.schema_comment import schema_comment
 from torquerig.units import written_quantity
 from torquerig.whole_file import whole_files
 
@@ -43,7 +44,7 @@ def command(
         classes = catalog_for(None, (*(context.obj or ()), *catalogs)).classes
         gear = read_gear(root, str(file))
         text = _with_values(draft("gearbox", target.stem, classes, like=like), gear, file.name)
-        return _write({target: text})
+        return _write({target: schema_comment(target, "gearbox") + text})
     project = read_sizing_project(read_shell(file), str(file))
     tables = {target / "profile.csv": project.motion.table()} if project.motion else {}
     return _write({target / "requirements.yaml": _requirements(project, file.name), **tables})

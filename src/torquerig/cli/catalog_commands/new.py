@@ -13,6 +13,7 @@ from torquerig.cli.common_options import catalog_option
 from torquerig.cli.json_option import json_option
 from torquerig.errors import InputError, UnknownNameError, did_you_mean
 from torquerig.reporting.json_results.simulate import WrittenResult, named
+from torquerig.schema_comment import schema_comment
 from torquerig.whole_file import whole_file
 
 
@@ -37,7 +38,7 @@ def command(context: click.Context, *, file: Path, of: str, like: str, catalogs:
     if like and like not in fitting:
         raise UnknownNameError(f"there is no class {like!r} of a {of}; {did_you_mean(like, fitting)}")
     file.parent.mkdir(parents=True, exist_ok=True)
-    text = draft(of, file.stem, classes, like=like)
+    text = schema_comment(file, of) + draft(of, file.stem, classes, like=like)
     with whole_file(file) as partial:
         partial.write_text(text, encoding="utf-8")
     click.echo(f"{file}: written; fill its blanks, then: torquerig catalog check {file}")

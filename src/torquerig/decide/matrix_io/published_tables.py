@@ -64,7 +64,9 @@ class _Alias:
 
 
 @dataclass(frozen=True, kw_only=True)
-class _File:
+class TablesText:
+    """A file of published tables."""
+
     __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
     tables: tuple[_Table, ...]
     source: str = ""
@@ -90,7 +92,7 @@ def tables_from(document: Document) -> TableSet:
     from pydantic import TypeAdapter
 
     document = with_new_keys(document, OLD_KEYS)
-    file = validated(document, TypeAdapter(_File))
+    file = validated(document, TypeAdapter(TablesText))
     _refuse_twice(document, ("tables",), [table.name for table in file.tables], what="table")
     return TableSet(
         tables=tuple(_matrix_table(document, place, table) for place, table in enumerate(file.tables)),

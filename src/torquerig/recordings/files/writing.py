@@ -17,6 +17,7 @@ from torquerig.recordings.files.sidecar_text import sidecar_text
 from torquerig.recordings.files.tdms import write_tdms
 from torquerig.recordings.names.time_column import time_column
 from torquerig.recordings.recording import Recording
+from torquerig.schema_comment import schema_comment
 from torquerig.whole_file import refuse_unwritable, whole_files
 
 WRITERS: Mapping[str, Callable[[Recording, Path], None]] = {
@@ -64,7 +65,7 @@ def put_in_place(
     sidecar = sidecar_target(path)
     with whole_files([path, sidecar]) as (partial, partial_sidecar):
         write(partial)
-        partial_sidecar.write_bytes(sidecar_text(recording).encode())
+        partial_sidecar.write_bytes((schema_comment(sidecar, "sidecar") + sidecar_text(recording)).encode())
     return [path, sidecar]
 
 

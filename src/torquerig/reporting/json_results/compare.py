@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import ClassVar
 
 from torquerig.decide.eliminate import Decision
 from torquerig.reporting.figures.shares_figure import SHARES
@@ -111,6 +112,7 @@ class PointResult:
 class ComparePointsResult:
     """The winners of a study at all its operating points (``--all-points``)."""
 
+    json_name: ClassVar[str] = "compare-points"
     title: str
     seed: int
     points: tuple[PointResult, ...]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from torquerig.decide.matrix_analysis import MatrixAnalysis
+from torquerig.schema_comment import schema_comment
 from torquerig.whole_file import whole_file
 
 
@@ -16,7 +17,8 @@ def write_matrix(worked: MatrixAnalysis, path: Path) -> None:
 
             write_matrix_workbook(partial, worked)
         else:
-            partial.write_text(_text(worked, path.suffix.lower()), encoding="utf-8", newline="\n")
+            comment = schema_comment(path, "matrix") if path.suffix.lower() == ".yaml" else ""
+            partial.write_text(comment + _text(worked, path.suffix.lower()), encoding="utf-8", newline="\n")
 
 
 def _text(worked: MatrixAnalysis, ending: str) -> str:

@@ -78,7 +78,9 @@ class PlannedTable(_Section):
         return self.gearboxes.get(motor, self.gearbox)
 
 
-class _Text(_Section):
+class PlanText(_Section):
+    """A plan as a file states it."""
+
     published: str
     scenario: str
     tables: dict[str, PlannedTable] = Field(min_length=1)
@@ -115,7 +117,7 @@ def read_plan(document: Document, catalog: Catalog, *, draws: int | None = None)
         With file, line and key: an unknown table, row, motor or gearbox, or a row without a limit or points that its
         method needs.
     """
-    text = validated(document, TypeAdapter(_Text))
+    text = validated(document, TypeAdapter(PlanText))
     folder = Path(document.path).parent
     book = read_tables(folder / text.published)
     study = open_study(read_document(folder / text.scenario), catalog)
