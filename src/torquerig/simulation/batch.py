@@ -15,6 +15,7 @@ from torquerig.rig.assembly import Rig
 from torquerig.simulation.arrays import Floats
 from torquerig.simulation.batch_parts import BatchRun, alike
 from torquerig.simulation.inputs import Draws, Span
+from torquerig.simulation.kernel.lanes import LANES
 from torquerig.simulation.kernel.side_by_side import integrate_together
 from torquerig.simulation.lost_friction import friction_lost
 from torquerig.simulation.motor_limit import limits_reached
@@ -179,8 +180,9 @@ def _first(span: Span) -> Span:
 def _kept(runs: Sequence[Ready]) -> Floats | None:
     """Return the outputs of runs of one step size, shape (runs, outputs, samples); None where one of them fails."""
     first, starts = runs[0], [run.start() for run in runs]
-    kept, finished = integrate_together(
+    kept, finished, _ = integrate_together(
         [theta for theta, _ in starts], [omega for _, omega in starts], [run.terms for run in runs],
         as_arrays(first.outputs), first.span.rate, first.span.settling, first.steps, first.span.samples,
     )  # fmt: skip
-    return kept if finished else None
+    # where few lanes have a rig a copy frees the memory of the others
+    return None if not finished else kept if 2 * len(runs) > LANES else kept.copy()

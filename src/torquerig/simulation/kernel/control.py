@@ -30,8 +30,10 @@ def sensed(sensings, i, sample, angle, speed, period, seen_angle, seen_speed):
 
 
 @njit(fastmath=FAST, inline="always")
-def control(drives, sensings, sample, theta, omega, period, integral, command, seen_angle, seen_speed):
+def control(drives, sensings, sample, now, theta, omega, period, integral, command, seen_angle, seen_speed):
     """Fill ``command``: the demand and the PI on the speed, limited; the integrator holds while limited.
+
+    Set-point and demand of the ``sample`` of the run are in the column ``now``.
 
     An induction machine has no control: its command is the torque of its slip.
     """
@@ -40,13 +42,13 @@ def control(drives, sensings, sample, theta, omega, period, integral, command, s
         if not sensings.ideal[i]:
             angle = theta[drives.on[i]] - theta[drives.against[i]]
             speed = sensed(sensings, i, sample, angle, speed, period, seen_angle, seen_speed)
-        error = drives.reference[i, sample] - speed
+        error = drives.reference[i, now] - speed
         if any_of(drives.breakdown[i] > 0.0):
             slip = error / drives.breakdown[i]
             command[i] = 2.0 * drives.limit[i] * slip / (1.0 + slip * slip)
             continue
         grown, limit = integral[i] + error * period, drives.limit[i]
-        wish = drives.demand[i, sample] + drives.kp[i] * error + drives.ki[i] * grown
+        wish = drives.demand[i, now] + drives.kp[i] * error + drives.ki[i] * grown
         within = abs(wish) <= limit
         integral[i] = where(within, grown, integral[i])
         command[i] = where(within, wish, where(wish > 0.0, limit, -limit))

@@ -20,18 +20,24 @@ def climb(waves, theta, cosine, sine):
     """
     for i in range(waves.base_node.size):
         s1, c1 = sine_cosine(waves.base_order[i] * theta[waves.base_node[i]])
+        at, end = waves.ladder[i], waves.ladder[i + 1]
+        if at + ONE == end:
+            cosine[at], sine[at] = c1, s1
+            continue
         c2, s2 = c1 * c1 - s1 * s1, 2.0 * s1 * c1
         c3, s3 = c2 * c1 - s2 * s1, s2 * c1 + c2 * s1
         c4, s4 = c2 * c2 - s2 * s2, 2.0 * s2 * c2
         up, side = c4, s4
-        at, end = waves.ladder[i], waves.ladder[i + 1]
+        cosine[at], cosine[at + ONE], cosine[at + TWO], cosine[at + THREE] = c1, c2, c3, c4
+        sine[at], sine[at + ONE], sine[at + TWO], sine[at + THREE] = s1, s2, s3, s4
+        at += CLIMB
         while at < end:
-            cosine[at], cosine[at + ONE], cosine[at + TWO], cosine[at + THREE] = c1, c2, c3, c4
-            sine[at], sine[at + ONE], sine[at + TWO], sine[at + THREE] = s1, s2, s3, s4
             c1, s1 = c1 * up - s1 * side, s1 * up + c1 * side
             c2, s2 = c2 * up - s2 * side, s2 * up + c2 * side
             c3, s3 = c3 * up - s3 * side, s3 * up + c3 * side
             c4, s4 = c4 * up - s4 * side, s4 * up + c4 * side
+            cosine[at], cosine[at + ONE], cosine[at + TWO], cosine[at + THREE] = c1, c2, c3, c4
+            sine[at], sine[at + ONE], sine[at + TWO], sine[at + THREE] = s1, s2, s3, s4
             at += CLIMB
     to = waves.ladder[waves.base_node.size]
     for i in range(waves.first.size):

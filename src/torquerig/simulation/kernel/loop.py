@@ -33,7 +33,8 @@ def _built(key: int) -> Callable[..., Any]:
     """Return the compiled loop; ``key`` is closed over so that the cache on disk is keyed by it."""
 
     @njit(cache=True, nogil=True, fastmath=FAST, **UNCOUNTED)
-    def advance(theta, omega, terms, outputs, rate, settling, substeps, kept, work, first, last):
+    def advance(theta, omega, terms, outputs, rate, settling, substeps, kept, work, first, last, given):
+        # loads, set-points and demands are given from the sample `given` on
         drives, loads, imposed, bristles = terms.drives, terms.loads, terms.imposed, terms.bristles
         moving, n_drives, n_bristles = theta.size - 1, drives.on.size, bristles.on.size  # moving: all but the ground
         cosine, sine, load_now, inverse_inertia = work.cosine, work.sine, work.load_now, work.inverse_inertia
@@ -57,7 +58,10 @@ def _built(key: int) -> Callable[..., Any]:
             if rare:
                 free(imposed, sample, inverse_inertia)
                 impose(imposed, sample, 0.0, period, theta, omega)
-            control(drives, terms.sensings, sample, theta, omega, period, integral, command, seen_angle, seen_speed)
+            now = sample - given
+            control(
+                drives, terms.sensings, sample, now, theta, omega, period, integral, command, seen_angle, seen_speed
+            )
             # the very first pass has no length: it makes the forces at the start; later ones are there
             for step in range(-1 if sample == 0 else 0, substeps):
                 if step == 0 and sample >= settling:
@@ -103,8 +107,8 @@ def _built(key: int) -> Callable[..., Any]:
                                     bend_k[i] = bend[i] + bend_sum[i]
                         part = (start + ahead) * rate
                         for i in range(loads.on.size):
-                            u = loads.samples[i, sample]
-                            load_now[i] = u + (loads.samples[i, sample + 1] - u) * part
+                            u = loads.samples[i, now]
+                            load_now[i] = u + (loads.samples[i, now + 1] - u) * part
                         if rare:
                             impose(imposed, sample, part, period, theta_k, omega_k)
                         forces(
@@ -137,6 +141,8 @@ def _built(key: int) -> Callable[..., Any]:
                     if first_pass:
                         taken = True
                     elif any_of(kinked | searching):
+                        if sample >= settling:
+                            work.parted[0] = where(kinked, 1.0, work.parted[0])
                         late = narrow(
                             terms.springs, stiffness, damping, work, kinked, searching, was_behind & kinked,
                             was_before & (kinked ^ True),
@@ -242,6 +248,6 @@ def integrate_part(
         Its first column is the sample ``settling``.
     """
     failed: tuple[int, int] = advance(
-        theta, omega, terms, outputs, rate, settling, substeps, kept[np.newaxis], work, part.start, part.stop
+        theta, omega, terms, outputs, rate, settling, substeps, kept[np.newaxis], work, part.start, part.stop, 0
     )
     return failed

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from math import prod
 from typing import Any
 
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
 from torquerig.simulation.arrays import Floats, Outputs
 from torquerig.simulation.kernel.fast import FAST, UNCOUNTED
@@ -17,16 +18,19 @@ from torquerig.simulation.kernel.sources import sources_key
 from torquerig.simulation.kernel.work import work_for
 from torquerig.simulation.term_kinds import Terms
 
+Memory = Callable[[tuple[int, ...]], Floats]
+PIECE = 16_384  # samples whose inputs are side by side at once: 1 MiB each
+
 
 def _built(key: int) -> Callable[..., Any]:
     """Return the compiled loop over lanes; ``key`` is closed over so that the cache on disk is keyed by it."""
 
     @njit(cache=True, nogil=True, fastmath=FAST, **UNCOUNTED)
-    def advance_together(theta, omega, terms, outputs, rate, settling, substeps, kept, work, last):
+    def advance_together(theta, omega, terms, outputs, rate, settling, substeps, kept, work, first, last):
         if key < 0:  # never: it is named here to be closed over
             return -1, -1
         theta_, omega_, terms_, work_ = in_lanes(theta), in_lanes(omega), in_lanes(terms), in_lanes(work)
-        return advance(theta_, omega_, terms_, outputs, rate, settling, substeps, kept, work_, 0, last)
+        return advance(theta_, omega_, terms_, outputs, rate, settling, substeps, kept, work_, first, last, first)
 
     return advance_together
 
@@ -43,7 +47,9 @@ def integrate_together(
     settling: int,
     substeps: int,
     samples: int,
-) -> tuple[Floats, bool]:
+    *,
+    memory: Memory = np.empty,
+) -> tuple[Floats, bool, NDArray[np.bool_]]:
     """Step up to ``LANES`` rigs of one structure together.
 
     Parameters
@@ -53,23 +59,65 @@ def integrate_together(
     rate : float
         Samples and control steps per second [Hz].
 
+    memory : callable
+        Returns an array of a shape for ``kept``.
+
     Returns
     -------
     kept : ndarray, shape (rigs, outputs, samples)
         The outputs at the instant of each sample, to the bit what ``integrate`` keeps of each rig.
     finished : bool
         False where a speed of one of them ceased to be finite; then nothing that is kept counts.
+    parted : ndarray of bool, shape (rigs,)
+        Whether the flanks of a gap met or parted while samples were kept.
     """
     rigs = len(terms)
     filling = [min(lane, rigs - 1) for lane in range(LANES)]  # lanes without a rig of their own repeat the last
     work = [work_for(terms[rig]) for rig in range(rigs)]
-    kept = np.empty((LANES, outputs.kind.size, samples))
-    together = ([of[rig] for rig in filling] for of in (theta, omega, terms, work))
-    theta_, omega_, terms_, work_ = (_interleaved(each) for each in together)
-    failed, _ = advance_together(
-        theta_, omega_, terms_, outputs, rate, settling, substeps, kept, work_, settling + samples
+    kept = memory((LANES, outputs.kind.size, samples))
+    together = ([of[rig] for rig in filling] for of in (theta, omega, work))
+    theta_, omega_, work_ = (_interleaved(each) for each in together)
+    failed = -1
+    for first, last, terms_ in _in_pieces([terms[rig] for rig in filling], settling + samples):
+        failed, _ = advance_together(
+            theta_, omega_, terms_, outputs, rate, settling, substeps, kept, work_, first, last
+        )
+        if failed >= 0:
+            break
+    return kept[:rigs], failed < 0, work_.parted[0, :rigs] > 0.0
+
+
+def _in_pieces(terms: Sequence[Terms], samples: int) -> Iterator[tuple[int, int, Terms]]:
+    """Yield the first and the last sample of pieces of a run, with the rigs side by side and their inputs there.
+
+    The inputs of all rigs side by side are eight times as long as those of one; of a piece they stay in the cache.
+    """
+    none = np.empty((0, 0))
+    rest = _interleaved(
+        [
+            one._replace(
+                loads=one.loads._replace(samples=none), drives=one.drives._replace(reference=none, demand=none)
+            )
+            for one in terms
+        ]
     )
-    return kept if rigs == LANES else kept[:rigs].copy(), failed < 0
+    given = [[one.loads.samples for one in terms], [one.drives.reference for one in terms]]
+    given.append([one.drives.demand for one in terms])
+    places = [_aligned((len(each[0]), PIECE + 1, len(each))) for each in given]
+    for first in range(0, samples, PIECE):
+        last = min(first + PIECE, samples)
+        for each, place in zip(given, places, strict=True):
+            for lane, one in enumerate(each):
+                place[:, : last - first + 1, lane] = one[:, first : last + 1]
+        loads, reference, demand = places
+        yield (
+            first,
+            last,
+            rest._replace(
+                loads=rest.loads._replace(samples=loads),
+                drives=rest.drives._replace(reference=reference, demand=demand),
+            ),
+        )
 
 
 def _interleaved(each: Sequence[Any]) -> Any:
@@ -79,12 +127,11 @@ def _interleaved(each: Sequence[Any]) -> Any:
         return type(first)(*(_interleaved(inside) for inside in zip(*each, strict=True)))
     if first.dtype != np.float64:
         return first
-    shape = (*first.shape, len(each))
-    # a vector that begins within a line of the cache is read and written in two halves, at twice the time
+    return np.stack(each, axis=-1, out=_aligned((*first.shape, len(each))))
+
+
+def _aligned(shape: tuple[int, ...]) -> Floats:
+    """Return an array for lanes: one that begins within a line of the cache is read in halves, at twice the time."""
     whole = np.empty(prod(shape) + LANES)
     start = -whole.ctypes.data // whole.itemsize % LANES
-    out = whole[start : start + prod(shape)].reshape(shape)
-    if all(one is first or np.array_equal(one, first) for one in each):  # such as one load of several drives
-        out[...] = first[..., np.newaxis]
-        return out
-    return np.stack(each, axis=-1, out=out)
+    return whole[start : start + prod(shape)].reshape(shape)

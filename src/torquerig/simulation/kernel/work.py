@@ -29,6 +29,7 @@ class Work(NamedTuple):
     second_low: Floats
     first_high: Floats
     second_high: Floats
+    parted: Floats  # (1,) 1 where a contact changed while samples were kept
     gaps: Rows  # the springs that have one
     inverse_inertia: Floats  # per node
     theta_k: Floats
@@ -64,6 +65,7 @@ def work_for(terms: Terms) -> Work:
     sizes = {
         "cosine": int(terms.waves.ladder[-1]) + terms.waves.first.size,
         "spring_torque": terms.springs.a.size,
+        "parted": 1,
         "inverse_inertia": terms.inverse_inertia.size,
         "integral": terms.drives.on.size,
         "bend": terms.bristles.on.size,
