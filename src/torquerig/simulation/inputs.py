@@ -106,14 +106,14 @@ class Draws:
 
 def filled(rig: Rig, lowered: Lowered, span: Span, draws: Draws | None = None) -> Terms:
     """Return the rig's arrays with the inputs at every sample."""
-    time, held = span.time(), Draws() if draws is None else draws
+    held, count = Draws() if draws is None else draws, span.settling + span.samples + 1
     reference = held.set_point(rig.run, span)
-    demands = [_demand(rig, drive, span, time) for drive in lowered.drive_terms]
+    demands = [_demand(rig, drive, span) for drive in lowered.drive_terms]
     loads = given_torques(rig, lowered.load_terms, span, held)
     return lowered.arrays._replace(
-        loads=lowered.arrays.loads._replace(samples=_stacked(loads, time.size)),
+        loads=lowered.arrays.loads._replace(samples=_stacked(loads, count)),
         drives=lowered.arrays.drives._replace(
-            reference=np.tile(reference, (len(demands), 1)), demand=_stacked(demands, time.size)
+            reference=np.tile(reference, (len(demands), 1)), demand=_stacked(demands, count)
         ),
         imposed=_imposed(lowered, span, reference),
     )
@@ -123,9 +123,9 @@ def given_torques(
     rig: Rig, terms: Sequence[Load | AppliedTorque], span: Span, draws: Draws | None = None
 ) -> list[NDArray[np.float64]]:
     """Return each load and applied torque at every sample [N m], by the profile of the run."""
-    time, held = span.time(), Draws() if draws is None else draws
+    held = Draws() if draws is None else draws
     return loads_as_planned(
-        rig.run, [_torque(term, span, time, held) for term in terms], terms,
+        rig.run, [_torque(term, span, held) for term in terms], terms,
         settling=span.settling, samples=span.samples, rate=span.rate,
     )  # fmt: skip
 
@@ -164,9 +164,12 @@ def unloaded(lowered: Lowered) -> NDArray[np.float64]:
     return angles
 
 
-def _demand(rig: Rig, drive: Drive, span: Span, time: NDArray[np.float64]) -> NDArray[np.float64]:
+def _demand(rig: Rig, drive: Drive, span: Span) -> NDArray[np.float64]:
     """Return the torque demand in addition to the speed loop [N m]."""
-    demand = np.zeros(time.size)
+    demand = np.zeros(span.settling + span.samples + 1)
+    if not drive.torque and drive.demand is None:
+        return demand
+    time = span.time()
     if drive.torque:
         top = rig.run.speed or 1.0
         course = rig.run.speed_profile().speed(np.maximum(0.0, time), top=top, duration=span.samples / span.rate)
@@ -176,13 +179,16 @@ def _demand(rig: Rig, drive: Drive, span: Span, time: NDArray[np.float64]) -> ND
     return demand
 
 
-def _torque(term: Load | AppliedTorque, span: Span, time: NDArray[np.float64], draws: Draws) -> NDArray[np.float64]:
+def _torque(term: Load | AppliedTorque, span: Span, draws: Draws) -> NDArray[np.float64]:
     if isinstance(term.process, Signal):
-        return term.process.at(time)
-    return draws.load(term.name, term.process, span, time.size)
+        return term.process.at(span.time())
+    return draws.load(term.name, term.process, span, span.settling + span.samples + 1)
 
 
 def _imposed(lowered: Lowered, span: Span, reference: NDArray[np.float64]) -> Imposed:
+    if not lowered.imposed_terms:
+        none = np.empty((0, span.settling + span.samples + 1))
+        return lowered.arrays.imposed._replace(release=np.empty(0, dtype=np.int64), angle=none, speed=none)
     time = span.time()
     angles, speeds = [], []
     for term in lowered.imposed_terms:
