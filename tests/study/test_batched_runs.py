@@ -72,9 +72,11 @@ def test_the_figures_are_those_of_single_runs() -> None:
         errors.append(truth_error(chain.apply(pair.reading), pair.reading))
         if number == 0:
             shares = reading_shares(made.rig, duration=1.0, seed=1, settling=settling, wander=wander)
-    assert found.shares == shares
-    assert found.disturbance.value == np.median([pair.disturbance for pair in pairs])
-    assert found.chains["order_lines_low_pass"].truth_error.value == np.median(errors)
+    # not to the bit: rigs that are stepped together multiply their waves in another order
+    assert found.shares is not None
+    assert asdict(found.shares) == pytest.approx(asdict(shares), rel=1e-8)
+    assert found.disturbance.value == pytest.approx(np.median([pair.disturbance for pair in pairs]), rel=1e-8)
+    assert found.chains["order_lines_low_pass"].truth_error.value == pytest.approx(np.median(errors), rel=1e-8)
 
 
 @pytest.mark.long

@@ -112,17 +112,15 @@ class Answer(Result):
 
     def report(self, path: str | Path) -> Path:
         """Write the page of the diagnosis, one HTML file, and return its path."""
-        from torquerig.diagnosis.showing.effect_at_sensor import effect_at_sensor
         from torquerig.reporting.diagnosis.motion_page import motion_page
         from torquerig.reporting.diagnosis.page import diagnosis_page
 
         again = f"torquerig.diagnose({self.scenario.document.path.name!r}, [...], seed={self.seed})"
-        title, seed = self.scenario.title, self.seed
-        effect = effect_at_sensor(self.outcome, nominal=self.scenario.rig, seed=seed)
+        title = self.scenario.title
         if isinstance(self.outcome, MotionOutcome):
-            page = motion_page(self.outcome, title=title, command=again, model=None, seed=seed, effect=effect)
+            page = motion_page(self.outcome, title=title, command=again, model=None, seed=self.seed)
         else:
-            page = diagnosis_page(self.outcome, title=title, command=again, model=None, seed=seed, effect=effect)
+            page = diagnosis_page(self.outcome, title=title, command=again, model=None, seed=self.seed)
         with whole_file(Path(path)) as partial:
             partial.write_text(page, encoding="utf-8", newline="\n")
         return Path(path)

@@ -12,13 +12,14 @@ from numpy.typing import NDArray
 
 from torquerig.rig.assembly import Rig
 from torquerig.simulation.condensation.lowered_for import lower_for
-from torquerig.simulation.inputs import Span, filled, held_while_settling
+from torquerig.simulation.inputs import Draws, Span, filled, held_while_settling
 from torquerig.simulation.kernel.lanes import LANES
 from torquerig.simulation.lower import Lowered
 from torquerig.simulation.measured_places import Output
 from torquerig.simulation.outputs import TRUE_OUTPUTS, outputs_of
-from torquerig.simulation.step_choice import step_choice
-from torquerig.simulation.term_kinds import KINDS
+from torquerig.simulation.shared_waves import can_share_waves
+from torquerig.simulation.step_choice import step_choice, step_without_impacts
+from torquerig.simulation.term_kinds import KINDS, Terms
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,10 +52,32 @@ class BatchRun:
         return self.lowered.nodes, self.outputs, shared
 
     @cached_property
+    def likeness_but_for_waves(self) -> Hashable:
+        """The same without the waves, where those can be given one structure; see ``shared_waves``."""
+        if not can_share_waves(self.lowered.arrays):
+            return self.likeness
+        shared = tuple(
+            (array.shape, _shared(array, decides=decides).tobytes()) for array, decides in _but_for_waves(self.lowered)
+        )
+        return self.lowered.nodes, self.outputs, shared
+
+    @property
+    def number_of_waves(self) -> int:
+        """How many cosines an evaluation computes."""
+        waves = self.lowered.arrays.waves
+        return int(waves.ladder[-1]) + waves.first.size
+
+    @cached_property
     def probable_steps(self) -> int:
         """The integration steps per sample at the first set-point, most often those of the whole run."""
-        short = replace(self.span, settling=0, samples=2, wander=0.0)
-        return step_choice(self.lowered, filled(self.rig, self.lowered, short), self.span.rate).steps
+        return step_choice(self.lowered, self._at_first(Draws()), self.span.rate).steps
+
+    def steps_without_impacts(self, draws: Draws) -> int:
+        """Return the same where the flanks of gaps neither meet nor part; ``draws`` holds loads for other runs."""
+        return step_without_impacts(self.lowered, self._at_first(draws), self.span.rate).steps
+
+    def _at_first(self, draws: Draws) -> Terms:
+        return filled(self.rig, self.lowered, replace(self.span, settling=0, samples=2, wander=0.0), draws)
 
     @cached_property
     def outputs(self) -> tuple[Output, ...]:
@@ -79,6 +102,15 @@ def _arrays(lowered: Lowered) -> list[tuple[NDArray[Any], bool]]:
         rows = getattr(lowered.arrays, kind.field)
         arrays += [(array, name in kind.deciding) for name, array in rows._asdict().items()]
     return arrays
+
+
+def _but_for_waves(lowered: Lowered) -> list[tuple[NDArray[Any], bool]]:
+    """Return the arrays of a rig that ``with_shared_waves`` does not replace."""
+    arrays = lowered.arrays
+    replaced = {id(array) for array in (*arrays.waves, *arrays.harmonics)}
+    replaced |= {id(array) for name, array in arrays.springs._asdict().items() if name.startswith("e_")}
+    replaced |= {id(array) for name, array in arrays.drives._asdict().items() if name.startswith("r_")}
+    return [(array, decides) for array, decides in _arrays(lowered) if id(array) not in replaced]
 
 
 def _shared(array: NDArray[Any], *, decides: bool) -> NDArray[Any]:

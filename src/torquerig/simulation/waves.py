@@ -35,9 +35,9 @@ class WaveTable:
         by_node: dict[int, set[float]] = {}
         for node, order in wanted:
             by_node.setdefault(node, set()).add(order)
-        plans = [(node, *plan) for node, orders in sorted(by_node.items()) for plan in _families(orders)]
+        plans = [(node, *plan) for node, orders in sorted(by_node.items()) for plan in families(orders)]
         for node, base, multiples in plans:  # the kernel climbs all ladders first, so they come first
-            start, length = table.rungs, _ladder_length(multiples.values())
+            start, length = table.rungs, ladder_length(multiples.values())
             table.bases.append((node, base))
             table.ladders.append(range(start, start + length))
         for (node, _, multiples), ladder in zip(plans, table.ladders, strict=True):
@@ -90,13 +90,13 @@ def orders_of(waves: Waves) -> list[tuple[int, float]]:
     return found
 
 
-def _ladder_length(multiples: Iterable[int]) -> int:
+def ladder_length(multiples: Iterable[int]) -> int:
     """Return how far the ladder goes: as long as one rung in ``RUNGS`` is wanted, rounded up to whole climbs."""
     within = [multiple for count, multiple in enumerate(sorted(multiples), start=1) if count * RUNGS >= multiple]
     return RUNGS * -(-max(within, default=1) // RUNGS)
 
 
-def _families(orders: set[float]) -> list[tuple[float, dict[float, int]]]:
+def families(orders: set[float]) -> list[tuple[float, dict[float, int]]]:
     """Return (base order, {order: multiple}) families that cover all orders."""
     fractions = {order: Fraction(order).limit_denominator(LARGEST_DENOMINATOR) for order in orders if order > 0}
     exact = {order: fraction for order, fraction in fractions.items() if abs(float(fraction) - order) < 1e-12 * order}

@@ -10,9 +10,9 @@ from torquerig.rig.reading_place import reading_place
 from torquerig.rig.turns import turns_per_motor_turn
 from torquerig.scenario.mean_load import mean_load
 from torquerig.scenario.model import Scenario
-from torquerig.simulation.batch import simulate_part
-from torquerig.simulation.batch_parts import alike
 from torquerig.simulation.inputs import Draws
+from torquerig.simulation.reused_memory import ReusedMemory
+from torquerig.simulation.united_runs import simulate_united, united
 from torquerig.study.candidates import Candidate, candidates, scenario_of
 from torquerig.study.definition import Study
 from torquerig.study.planned_drive import planned_drive
@@ -61,15 +61,15 @@ def simulated_drives(
 ) -> Iterator[tuple[int, DriveResult]]:
     """Yield the row and the results of each candidate, given with its scenario, as they are ready.
 
-    The runs of all drives that are alike go through the compiled batch together, whichever drive and sample they
-    belong to; what is not needed any more is given up at once.
+    The runs of all drives that are alike but for their lines go through the compiled batch together, whichever drive
+    and sample they belong to; what is not needed any more is given up at once.
     """
     from threadpoolctl import threadpool_limits
 
     # linear algebra in several threads under several workers spins for minutes on two cores
     with threadpool_limits(limits=1, user_api="blas"), ThreadPoolExecutor(workers or os.cpu_count() or 1) as pool:
         try:
-            draws, listed = Draws(), list(scenarios)
+            draws, memory, listed = Draws(), ReusedMemory(), list(scenarios)
             by_stage = sorted(range(len(listed)), key=lambda row: listed[row].gearbox)  # of one speed and step
             for first in range(0, len(listed), AT_ONCE):
                 rows = by_stage[first : first + AT_ONCE]
@@ -77,11 +77,7 @@ def simulated_drives(
                 drives = {drive.row: drive for drive in planned}
                 yield from ((row, drive.result()) for row, drive in drives.items() if not drive.planned.samples)
                 runs = [run for made in pool.map(lambda drive: list(drive.runs()), drives.values()) for run in made]
-                parts = [[runs[row] for row in part] for part in alike([run.run for run in runs])]
-                parts.sort(
-                    key=lambda part: part[0].run.staged
-                )  # the smaller recordings first: they wait for the others
-                jobs = [pool.submit(_simulated, part, drives, draws) for part in parts]
+                jobs = [pool.submit(_simulated, part, drives, draws, memory) for part in _parts(runs)]
                 for job in as_completed(jobs):
                     yield from ((row, drives[row].result()) for row in job.result())
         except BaseException:
@@ -97,7 +93,7 @@ def run_drive(candidate: Candidate, study: Study) -> DriveResult:
 
 def _parts(runs: Sequence[SampleRun]) -> list[list[SampleRun]]:
     """Return runs that go through the batch together; those of true values first, for they wait in less memory."""
-    parts = [[runs[row] for row in part] for part in alike([run.run for run in runs])]
+    parts = [[runs[row] for row in part] for part in united([run.run for run in runs])]
     return sorted(parts, key=lambda part: part[0].run.staged)
 
 
@@ -105,8 +101,10 @@ def _planned(row: int, candidate: Candidate, scenario: Scenario, study: Study) -
     return DriveSamples(row, planned_drive(candidate, scenario, study), study)
 
 
-def _simulated(part: Sequence[SampleRun], drives: dict[int, DriveSamples], draws: Draws) -> list[int]:
+def _simulated(
+    part: Sequence[SampleRun], drives: dict[int, DriveSamples], draws: Draws, memory: ReusedMemory
+) -> list[int]:
     """Simulate and measure some runs; return the rows of the drives that are complete."""
     title = drives[part[0].drive].planned.samples[0].title
-    made = simulate_part([run.run for run in part], scenario=title, draws=draws)
+    made = simulate_united([run.run for run in part], scenario=title, draws=draws, memory=memory.array)
     return [run.drive for run, recording in zip(part, made, strict=True) if drives[run.drive].add(run, recording)]

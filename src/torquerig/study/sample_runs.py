@@ -22,8 +22,7 @@ from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.simulation.batch_parts import BatchRun
 from torquerig.simulation.inputs import Span
-from torquerig.simulation.ready import ready
-from torquerig.simulation.simulator import stepped
+from torquerig.simulation.united_runs import simulate_united
 from torquerig.study.definition import Study
 from torquerig.study.planned_drive import PlannedDrive, sample_span
 from torquerig.study.preflight import margin_of
@@ -157,7 +156,7 @@ class _Remainder(TypedDict, total=False):
 
 
 def _simulated_again(rig: Rig, span: Span, title: str) -> Recording:
-    return stepped(ready(rig, span, scenario=title))
+    return simulate_united([BatchRun.of(rig, span)], scenario=title)[0]
 
 
 def _held(recording: Recording, run: SampleRun) -> Recording:

@@ -17,9 +17,9 @@ from torquerig.metrics.shares import sensed
 from torquerig.metrics.truth_error import truth_error
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.model import Scenario
-from torquerig.simulation.batch import simulate_part
-from torquerig.simulation.batch_parts import BatchRun, alike
+from torquerig.simulation.batch_parts import BatchRun
 from torquerig.simulation.true_lines import without_lines
+from torquerig.simulation.united_runs import simulate_united, united
 from torquerig.study.loop_margin import UNSTABLE, has_stable_loop
 from torquerig.study.monte_carlo.drawn_study import DrawnStudy, error_column, residual_column
 from torquerig.study.monte_carlo.replayed_files import changed_file
@@ -46,8 +46,8 @@ def drawn_rows(drawn: DrawnStudy, cases: Sequence[Case]) -> list[Row | Failed]:
     made = [_drawn(drawn, case) for case in cases]
     runs = [run for one in made if isinstance(one, _Drawn) for run in one.runs]
     recordings: dict[int, Recording] = {}
-    for part in alike(runs):
-        found = simulate_part([runs[row] for row in part], draws=drawn.loads)
+    for part in united(runs):
+        found = simulate_united([runs[row] for row in part], draws=drawn.loads)
         recordings |= {id(runs[row]): one for row, one in zip(part, found, strict=True)}
     if changed := changed_file(drawn.replayed):  # after the runs, which read it
         said = f"{changed} changed while the study ran; delete the store and run the study again"
