@@ -112,15 +112,17 @@ class Answer(Result):
 
     def report(self, path: str | Path) -> Path:
         """Write the page of the diagnosis, one HTML file, and return its path."""
+        from torquerig.diagnosis.showing.effect_at_sensor import effect_at_sensor
         from torquerig.reporting.diagnosis.motion_page import motion_page
         from torquerig.reporting.diagnosis.page import diagnosis_page
 
         again = f"torquerig.diagnose({self.scenario.document.path.name!r}, [...], seed={self.seed})"
-        title = self.scenario.title
+        title, seed = self.scenario.title, self.seed
+        effect = effect_at_sensor(self.outcome, nominal=self.scenario.rig, seed=seed)
         if isinstance(self.outcome, MotionOutcome):
-            page = motion_page(self.outcome, title=title, command=again, model=None, seed=self.seed)
+            page = motion_page(self.outcome, title=title, command=again, model=None, seed=seed, effect=effect)
         else:
-            page = diagnosis_page(self.outcome, title=title, command=again, model=None, seed=self.seed)
+            page = diagnosis_page(self.outcome, title=title, command=again, model=None, seed=seed, effect=effect)
         with whole_file(Path(path)) as partial:
             partial.write_text(page, encoding="utf-8", newline="\n")
         return Path(path)

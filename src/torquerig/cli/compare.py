@@ -28,6 +28,7 @@ from torquerig.reporting.json_results.figures import figure_result
 from torquerig.reporting.json_results.simulate import named
 from torquerig.reporting.json_results.values import Missing
 from torquerig.reporting.matrix.files import write_matrix
+from torquerig.reporting.pdf import check_pdf_printer, write_pdf
 from torquerig.reporting.study.report import write_study_report
 from torquerig.reporting.study.text import ranked_text, shares_text
 from torquerig.scenario.overrides import overridden
@@ -60,6 +61,7 @@ from torquerig.whole_file import refuse_unwritable
     help=f"Also write a decision matrix of the drives, each with its best filter: {', '.join(ENDINGS)}.",
 )  # fmt: skip
 @click.option("--force", is_flag=True, help="Overwrite the files of --matrix.")
+@click.option("--pdf", is_flag=True, help="Also print the page as index.pdf, with Chromium or WeasyPrint.")
 @click.option("--workers", type=click.IntRange(1), default=None, help="Number of parallel runs. Default: one per core.")
 @set_option
 @catalog_option
@@ -67,7 +69,7 @@ from torquerig.whole_file import refuse_unwritable
 def command(
     *, scenario: Path, out: Path | None, all_points: bool, workers: int | None, settings: tuple[str, ...],
     catalogs: tuple[Path, ...], traced: tuple[tuple[str, str], ...],
-    matrices: tuple[Path, ...], force: bool,
+    matrices: tuple[Path, ...], force: bool, pdf: bool,
 ) -> CompareResult | ComparePointsResult:  # fmt: skip
     """Simulate every motor x gearbox x filter of SCENARIO, rank them, and write a report.
 
@@ -82,9 +84,11 @@ def command(
     check_traced(study, traced)
     for path in matrices:
         check_target(path, force=force)
+    if pdf:
+        check_pdf_printer()
     if all_points:
-        if traced or matrices:
-            raise InputError("--trace and --matrix need one study; remove --all-points")
+        if traced or matrices or pdf:
+            raise InputError("--trace, --matrix and --pdf need one study; remove --all-points")
         return _compare_points(study, folder, workers)
     runs = _run(study, "edited study" if settings else "study", workers)
     found: tuple[Change, ...] = ()
@@ -99,6 +103,9 @@ def command(
         write_matrix(analyse_matrix(as_matrix(decided, name=scenario.stem, seed=study.settings.seed)), path)
         click.echo(f"wrote {path}", err=True)
     written = write_study_report(runs, decided, answer, folder, changes=found or None, edits=settings)
+    if pdf:
+        written.append(written[0].with_suffix(".pdf"))
+        write_pdf(written[0], written[-1])
     click.echo(f"\nreport: {written[0]}\n")
     click.echo("\n".join(wrapped(sentence) for sentence in answer.answer.sentences))
     return compare_result(

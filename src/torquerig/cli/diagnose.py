@@ -96,7 +96,7 @@ def command(
         data["model"] = str(target)
     if report is not None:
         again = _command(recordings, scenario, settings=settings, seed=seed)
-        page = _page(outcome, title=made.title, command=again, model=_named(data["model"]), seed=seed)
+        page = _page(outcome, title=made.title, command=again, model=_named(data["model"]), seed=seed, nominal=made.rig)
         with whole_file(report) as partial:
             partial.write_text(page, encoding="utf-8", newline="\n")
     if out == "-":
@@ -173,14 +173,18 @@ def _check(
         write_json(json_text(document), out)
 
 
-def _page(outcome: Outcome | MotionOutcome, *, title: str, command: str, model: str | None, seed: int) -> str:
+def _page(
+    outcome: Outcome | MotionOutcome, *, title: str, command: str, model: str | None, seed: int, nominal: Rig
+) -> str:
     from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
+    from torquerig.diagnosis.showing.effect_at_sensor import effect_at_sensor
     from torquerig.reporting.diagnosis.motion_page import motion_page
     from torquerig.reporting.diagnosis.page import diagnosis_page
 
+    effect = effect_at_sensor(outcome, nominal=nominal, seed=seed)
     if isinstance(outcome, MotionOutcome):
-        return motion_page(outcome, title=title, command=command, model=model, seed=seed)
-    return diagnosis_page(outcome, title=title, command=command, model=model, seed=seed)
+        return motion_page(outcome, title=title, command=command, model=model, seed=seed, effect=effect)
+    return diagnosis_page(outcome, title=title, command=command, model=model, seed=seed, effect=effect)
 
 
 def _command(recordings: tuple[Path, ...], scenario: Path, *, settings: tuple[str, ...], seed: int) -> str:

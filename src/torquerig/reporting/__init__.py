@@ -12,6 +12,7 @@
 ``file_schemas/``      JSON Schemas of the files that torquerig reads and writes
 ``json_results/``      what ``--json`` of each command writes
 ``layout``             tables of a page; ``html``: a page from its template
+``pdf``                a page printed by a headless browser
 ``replaced_folder``    replacement of a folder in one step
 ====================== ============================================================================
 """

@@ -96,8 +96,8 @@ def test_print_shows_what_is_folded_and_no_control(open_page, file):
     shown = open_page(file)
     shown.page.emulate_media(media="print")
     assert shown.js("getComputedStyle(document.querySelector('nav')).display") == "none"
-    assert shown.js("getComputedStyle(document.querySelector('.controls')).display") == "none"
-    assert shown.js("document.querySelector('#way table, #trace table').getBoundingClientRect().height") > 0
+    assert shown.js("getComputedStyle(document.querySelector('#try')).display") == "none"
+    assert shown.js("document.querySelector('#elimination table, #matrices table').getBoundingClientRect().height") > 0
     assert shown.page.pdf().startswith(b"%PDF")
 
 

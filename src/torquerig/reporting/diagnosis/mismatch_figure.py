@@ -11,8 +11,8 @@ from torquerig.reporting.diagnosis.sentences import p_value_text, place_text
 from torquerig.reporting.figures.picture import new_figure
 
 COLOURS = {
-    "order": "#1f5f9e", "frequency": "#b8860b", "time": "#7570b3", "speed": "#1b9e77", "level": "#2a7f62",
-    "distribution": "#8d6bb5",
+    "order": "#0072b2", "frequency": "#e69f00", "time": "#7a68a6", "speed": "#56b4e9", "level": "#d55e00",
+    "distribution": "#cc79a7",
 }  # fmt: skip
 MOST = 12
 _LEAST = 5e-4  # [1] a smaller share is written as 0.0 %

@@ -7,13 +7,15 @@ from typing import Any
 
 from torquerig.diagnosis.motion.diagnose_motion import METRIC, MotionOutcome
 from torquerig.diagnosis.motion.level import TOLERANCE
+from torquerig.diagnosis.showing.effect_at_sensor import EffectAtSensor
 from torquerig.diagnosis.showing.motion_comparison import motion_compared, scale_of
 from torquerig.reporting.diagnosis import motion_tables as tables
 from torquerig.reporting.diagnosis.motion_pictures import motion_pictures
+from torquerig.reporting.diagnosis.page_answer import diagnosis_answer
 from torquerig.reporting.diagnosis.parameter_tables import added_parameters_table, fitted_parameters_table
 from torquerig.reporting.diagnosis.pictures import mismatch_picture
 from torquerig.reporting.diagnosis.sentences import MOTION_RESIDUAL
-from torquerig.reporting.diagnosis.summary import NO_MISMATCH, rendered, verdict_content
+from torquerig.reporting.diagnosis.summary import NO_MISMATCH, first_and_others, rendered, verdict_content
 from torquerig.reporting.diagnosis.tables import mismatch_table, rejected_table
 
 LIMITS = (
@@ -26,8 +28,11 @@ LIMITS = (
 )
 
 
-def motion_page(outcome: MotionOutcome, *, title: str, command: str, model: str | None, seed: int) -> str:
-    """Return the HTML of a diagnosis under measured motion: inline pictures, no script, no request.
+def motion_page(
+    outcome: MotionOutcome, *, title: str, command: str, model: str | None, seed: int,
+    effect: EffectAtSensor | None = None,
+) -> str:  # fmt: skip
+    """Return the HTML of a diagnosis under measured motion: pictures and scripts inside, no request to anywhere.
 
     Parameters
     ----------
@@ -37,9 +42,12 @@ def motion_page(outcome: MotionOutcome, *, title: str, command: str, model: str 
         Command that reproduces the page.
     model : str or None
         Path of the completed scenario.
+    effect : EffectAtSensor or None
+        How much the findings change the reading, for the first screen.
     """
     content = {
         "limits": LIMITS, "metric": METRIC,
+        "answer": diagnosis_answer(outcome.as_json(), effect, percent=True),
         **verdict_content(
             outcome.diagnosis, outcome.left, measure=MOTION_RESIDUAL,
             alternatives=tables.alternatives_tables(outcome),
@@ -61,7 +69,7 @@ def _shown(outcome: MotionOutcome) -> Mapping[str, Any]:
         "no_mismatch": tables.NO_PLACE if outcome.steps else NO_MISMATCH,
         "remaining": mismatch_table(remaining, **notes) if remaining else None,
         "held_out": tables.held_out_table(runs, scale=scale),
-        "pictures": drawn,
+        **first_and_others(drawn),
         "omitted_pictures": omitted,
         "rejected": rejected_table(rejected, note=tables.REJECTED) if rejected else None,
         "fitted": fitted_parameters_table(outcome.nominal, before, outcome.after, unit_names=scale.called)

@@ -6,12 +6,14 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from torquerig.diagnosis.engine import Outcome
-from torquerig.diagnosis.outcome import METRIC
+from torquerig.diagnosis.outcome import METRIC, as_json
 from torquerig.diagnosis.showing.comparison import Compared, compared
+from torquerig.diagnosis.showing.effect_at_sensor import EffectAtSensor
 from torquerig.reporting.diagnosis import pictures, tables
+from torquerig.reporting.diagnosis.page_answer import diagnosis_answer
 from torquerig.reporting.diagnosis.parameter_tables import fitted_parameters_table
 from torquerig.reporting.diagnosis.sentences import FEATURE_RESIDUAL
-from torquerig.reporting.diagnosis.summary import NO_MISMATCH, rendered, verdict_content
+from torquerig.reporting.diagnosis.summary import NO_MISMATCH, first_and_others, rendered, verdict_content
 
 LIMITS = (
     "A mechanism that is not in the library is located, but not named.",
@@ -21,8 +23,10 @@ LIMITS = (
 )
 
 
-def diagnosis_page(outcome: Outcome, *, title: str, command: str, model: str | None, seed: int) -> str:
-    """Return the HTML of a diagnosis: inline pictures, no script, no request.
+def diagnosis_page(
+    outcome: Outcome, *, title: str, command: str, model: str | None, seed: int, effect: EffectAtSensor | None = None
+) -> str:
+    """Return the HTML of a diagnosis: pictures, data and scripts inside, no request to anywhere.
 
     Parameters
     ----------
@@ -32,11 +36,14 @@ def diagnosis_page(outcome: Outcome, *, title: str, command: str, model: str | N
         Command that reproduces the page.
     model : str or None
         Path of the completed scenario.
+    effect : EffectAtSensor or None
+        How much the findings change the reading, for the first screen.
     """
     diagnosis = outcome.diagnosis
     alternatives = [tables.alternatives_table(each) if each.rivals else None for each in diagnosis.findings]
     content = {
         "limits": LIMITS, "metric": METRIC,
+        "answer": diagnosis_answer(as_json(diagnosis), effect, percent=False),
         **verdict_content(diagnosis, outcome.left, measure=FEATURE_RESIDUAL, alternatives=alternatives),
         **_shown(outcome, compared(outcome)),
     }  # fmt: skip
@@ -52,7 +59,7 @@ def _shown(outcome: Outcome, runs: Sequence[Compared]) -> Mapping[str, Any]:
         "no_mismatch": NO_MISMATCH,
         "remaining": tables.mismatch_table(remaining) if remaining else None,
         "held_out": tables.held_out_table(runs),
-        "pictures": (*pictures.comparison_pictures(outcome, runs), pictures.slow_torque_picture(runs)),
+        **first_and_others((*pictures.comparison_pictures(outcome, runs), pictures.slow_torque_picture(runs))),
         "omitted_pictures": (),
         "rejected": tables.rejected_table(diagnosis.set_aside) if diagnosis.set_aside else None,
         "fitted": fitted_parameters_table(outcome.before.nominal, before, after) if before.knobs else None,

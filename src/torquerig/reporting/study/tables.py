@@ -79,8 +79,8 @@ def ranking_table(decided: Decided, *, winner: str, most: int) -> Table:
               "price [EUR]", "requirements"),
         rows=tuple(rows), emphasised=highlighted,
         note="A simulated figure is the median of the Monte Carlo samples of the catalog, the range in brackets their "
-        "extremes; other ranges are the catalog's intervals. The randomness of the load is apart: see 'Where this "
-        "stops being true'.",
+        "extremes; other ranges are the catalog's intervals. The randomness of the load is apart: see 'Limits of "
+        "validity'.",
     )  # fmt: skip
 
 

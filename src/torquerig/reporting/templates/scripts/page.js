@@ -1,5 +1,5 @@
 "use strict";
-// Sections that open when a link leads into them, all of them for print, and downloads of pictures.
+// Sections that open when a link leads into them and for print, and downloads of pictures.
 
 function save(name, blob) {
   const link = element("a", { href: URL.createObjectURL(blob), download: name });
@@ -57,7 +57,8 @@ function startPage() {
   for (const button of document.querySelectorAll("[data-whole]")) button.addEventListener("click", () => wholeRange(button.dataset.whole));
   addEventListener("hashchange", openTarget);
   openTarget();
-  const folded = () => [...document.querySelectorAll("details:not([open])")];
+  // what is folded inside a section stays so: the calculation of every cell would fill a hundred sheets
+  const folded = () => [...document.querySelectorAll("section > details:not([open])")];
   let opened = [];
   addEventListener("beforeprint", () => { opened = folded(); opened.forEach((one) => { one.open = true; }); });
   addEventListener("afterprint", () => { opened.forEach((one) => { one.open = false; }); opened = []; });

@@ -1,0 +1,137 @@
+"""The answer of a diagnosis page, from the diagnosis as JSON: what is missing, how large, how sure, what to do next.
+
+It reads the contract's form, so that the page of each engine shows the same first screen.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from torquerig.diagnosis.showing.effect_at_sensor import EffectAtSensor
+from torquerig.reporting.diagnosis.sentences import mechanism_text
+from torquerig.reporting.layout import plain
+from torquerig.study.answer.what_to_do import LargeFigure
+
+LONGEST = 25  # words of a sentence on the first screen
+NAMED = 3  # mechanisms that the first sentence names
+TONES = {"adequate": "good", "missing_physics": "poor", "setup_error": "poor"}
+"""CSS class of the answer: blue, orange, and violet for what remains unexplained."""
+_NEXT = {
+    "adequate": "Next: use the scenario as it is. Runs at other speeds and loads can show smaller effects.",
+    "missing_physics": "Next: check the named part on the rig, and continue with the completed scenario.",
+    "setup_error": "Next: correct the named fact in the scenario or sidecar, and run the diagnosis again.",
+    "unexplained": "Next: record runs at two more speeds and one more load, and add them to the diagnosis.",
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class DiagnosisAnswer:
+    """What the first screen of a diagnosis shows."""
+
+    sentences: tuple[str, ...]
+    figures: tuple[LargeFigure, ...]
+    tone: str
+
+
+def diagnosis_answer(data: Mapping[str, Any], effect: EffectAtSensor | None, *, percent: bool) -> DiagnosisAnswer:
+    """Return the answer of a diagnosis in the contract's form.
+
+    Parameters
+    ----------
+    effect : EffectAtSensor or None
+        How much the findings change the reading; None where nothing was found or it was not simulated.
+    percent : bool
+        Whether the residual on held-out data is a share of the measured signal; else it is a mean square.
+    """
+    return DiagnosisAnswer(
+        sentences=(_missing(data), *_size(data, effect), _sure(data), *_next(data)),
+        figures=(_size_figure(data, effect), _sure_figure(data), _residual_figure(data, percent=percent)),
+        tone=TONES.get(str(data["verdict"]), "open"),
+    )
+
+
+def _missing(data: Mapping[str, Any]) -> str:
+    verdict, names = data["verdict"], [mechanism_text(one["mechanism"]) for one in data["findings"]]
+    if verdict == "adequate":
+        return "No physics is missing that these recordings can show."
+    if verdict == "setup_error":
+        first = data["setup"][0]
+        right = _number(first["estimated"])
+        kind = mechanism_text(first["kind"])
+        return f"A set-up fact is wrong: {kind} of {first['of']} is {right}, stated is {first['stated']}."
+    if not names:
+        return "Something is missing that no mechanism of the library explains."
+    rest = "" if verdict == "missing_physics" else " Something more is missing that no mechanism explains."
+    return f"The model lacks {_listed(names)}.{rest}"
+
+
+def _listed(names: Sequence[str]) -> str:
+    if len(names) > NAMED:
+        return f"{', '.join(names[:NAMED])} and {len(names) - NAMED} more"
+    return " and ".join(", ".join(names).rsplit(", ", 1))
+
+
+def _size(data: Mapping[str, Any], effect: EffectAtSensor | None) -> tuple[str, ...]:
+    if effect is not None:
+        return (effect.sentence,)
+    rms = data.get("rms")
+    if not rms:
+        return ()
+    unit = str(rms["unit"]).replace("*", " ")
+    return (f"The residual on held-out data falls from {plain(rms['before'])} to {plain(rms['after'])} {unit} rms.",)
+
+
+def _sure(data: Mapping[str, Any]) -> str:
+    listed = [*data.get("setup", ()), *data["findings"]]
+    if not listed:
+        return "How sure: the residual on held-out data and the limits are below."
+    first = listed[0]
+    name = mechanism_text(first.get("mechanism") or first["kind"])
+    alike = [mechanism_text(one) for one in first["equivalent_to"]]
+    doubt = f"; these recordings do not distinguish it from {_listed(alike)}" if alike else ""
+    return f"How sure: {100 * first['confidence']:.0f} % for {name}{doubt}."
+
+
+def _next(data: Mapping[str, Any]) -> tuple[str, ...]:
+    """Return the next run that the diagnosis names, in full where it is short, else where to read it."""
+    runs = [one.get("next_experiment") for one in data["findings"]] + [data.get("next_experiment")]
+    named = next((str(run) for run in runs if run), None)
+    if named is None:
+        return (_NEXT[data["verdict"]],)
+    if all(len(sentence.split()) < LONGEST for sentence in named.split(". ")):
+        return (f"Next run: {named.rstrip('.')}.",)
+    return ("Next: record the run that the section Findings names.",)
+
+
+def _size_figure(data: Mapping[str, Any], effect: EffectAtSensor | None) -> LargeFigure:
+    name = "change of the reading"
+    if effect is not None:
+        return LargeFigure(name=name, value=f"{effect.rms:.2g} {effect.unit.replace('*', ' ')}", note="rms")
+    if data["findings"]:
+        return LargeFigure(name=name, value="not computed", note="the command computes it for its report")
+    return LargeFigure(name=name, value="none", note="no finding changes the reading")
+
+
+def _sure_figure(data: Mapping[str, Any]) -> LargeFigure:
+    listed = [*data.get("setup", ()), *data["findings"]]
+    if not listed:
+        return LargeFigure(name="findings", value="0", note=str(data["verdict"]).replace("_", " "))
+    value, name = listed[0]["confidence"], listed[0].get("mechanism") or listed[0]["kind"]
+    return LargeFigure(name="confidence", value=f"{100 * value:.0f} %", note=f"that it is {mechanism_text(name)}")
+
+
+def _residual_figure(data: Mapping[str, Any], *, percent: bool) -> LargeFigure:
+    fit = data["fit"]
+    before, after = (fit[side]["heldout_misfit"] for side in ("before", "after"))
+    ends = [f"{plain(100 * one)} %" if percent else plain(one) for one in (before, after)]
+    same = not data["findings"] or ends[0] == ends[1]
+    note = "rms share of the signal, on held-out data" if percent else "mean square on held-out data; a true model: 1"
+    return LargeFigure(name="standardised residual" if not percent else "residual",
+                       value=ends[0] if same else f"{ends[0]} to {ends[1]}", note=note)  # fmt: skip
+
+
+def _number(value: Mapping[str, Any]) -> str:
+    unit = "" if value["unit"] in ("1", "") else f" {value['unit'].replace('*', ' ')}"
+    return f"{plain(value['value'])}{unit}"
