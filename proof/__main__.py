@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Sequence
 from contextlib import ExitStack
 from pathlib import Path
@@ -45,6 +46,8 @@ def command(
 
     The SHA-256 of the answers is printed before the first diagnosis. The files proof.html and proof.md hold all scores
     with exact confidence bounds, the baselines on the same trials, and every wrong case.
+
+    `python -m proof fleet` does the same for drawn rigs of many designs; see its --help.
     """
     if real is not None and not real.is_dir():
         raise InputError(f"{real}: there is no such folder; --real needs a folder with one subfolder per real rig")
@@ -73,7 +76,13 @@ def command(
 
 def main(arguments: Sequence[str] | None = None) -> None:
     """Run the command; exit 0 if the results were written, 2 with one sentence for bad input, 130 if interrupted."""
-    run(command, arguments, name="python -m proof")
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    if words[:1] == ["fleet"]:
+        from proof.referee.command import command as fleet
+
+        run(fleet, words[1:], name="python -m proof fleet")
+        return
+    run(command, words, name="python -m proof")
 
 
 if __name__ == "__main__":

@@ -45,18 +45,22 @@ def case_kinds(seed: int, cases: int) -> list[CaseKind]:
 
 def draw_trials(seed: int, cases: int, *, same_laws: bool = False, duration: float = 12.0) -> list[Case]:
     """Return the cases of a seed; the same seed and number give the same cases."""
-    return [
-        draw_case(
-            f"case-{i:03d}",
-            (seed, i),
-            kind.effects,
-            wrong_parameters=kind.wrong_parameters,
-            same_laws=same_laws,
-            second=kind.second,
-            duration=duration,
-        )
-        for i, kind in enumerate(case_kinds(seed, cases), start=1)
-    ]
+    numbers = range(1, cases + 1)
+    return [draw_trial(seed, number, cases, same_laws=same_laws, duration=duration) for number in numbers]
+
+
+def draw_trial(seed: int, number: int, cases: int, *, same_laws: bool = False, duration: float = 12.0) -> Case:
+    """Return one of the cases of a seed, ``number`` 1 to ``cases``."""
+    kind = case_kinds(seed, cases)[number - 1]
+    return draw_case(
+        f"case-{number:03d}",
+        (seed, number),
+        kind.effects,
+        wrong_parameters=kind.wrong_parameters,
+        same_laws=same_laws,
+        second=kind.second,
+        duration=duration,
+    )
 
 
 def _shuffled(rng: np.random.Generator, items: Sequence[_T]) -> list[_T]:
