@@ -12,6 +12,9 @@
 - ``library``       diagnoses with a reduced library
 - ``null_gains``    gains of mechanisms on rigs without hidden effects
 - ``thresholds``    detection thresholds from the tail of these gains
+- ``fleet``         drawn rigs of many designs with hidden effects; it imports nothing of torquerig
+- ``strangers``     effects that no mechanism of the library describes
+- ``referee``       ``python -m proof fleet``: sets on the fleet, diagnosed by the command and judged
 - ``make``          ``python -m proof.make --seed N --cases K --out FOLDER``
 - ``score``         ``python -m proof.score FOLDER``
 """
