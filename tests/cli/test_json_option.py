@@ -7,10 +7,10 @@ import shutil
 from pathlib import Path
 from typing import Any
 
-import click
 import pytest
 from jsonschema import Draft202012Validator
 
+from tests.cli.every_command import every_command
 from tests.cli.json_calls import CALLS, FULL, QUICK, SLOW, WEAR_RIG, make_inputs
 from torquerig.cli import COMMANDS, group, main
 from torquerig.reporting.file_schemas.named import schema_named
@@ -40,19 +40,6 @@ def nulls(value: Any, at: str = "") -> list[str]:
     if isinstance(value, list):
         return [place for number, one in enumerate(value) for place in nulls(one, f"{at}/{number}")]
     return [at] if value is None else []
-
-
-def every_command(command: click.Command, path: tuple[str, ...] = ()) -> dict[tuple[str, ...], click.Command]:
-    """Return all commands below a group by their words; a group that runs by itself too."""
-    if not isinstance(command, click.Group):
-        return {path: command}
-    found = {path: command} if path and command.invoke_without_command else {}
-    context = click.Context(command)
-    for name in command.list_commands(context):
-        below = command.get_command(context, name)
-        assert below is not None
-        found |= every_command(below, (*path, name))
-    return found
 
 
 WITHOUT_JSON = {("schema",), ("completion",)}  # they print a file for other programs

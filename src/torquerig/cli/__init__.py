@@ -1,7 +1,7 @@
 """The command line: one command per file, each imported only when it is called.
 
 init  catalog  orders  ordermap  modes  simulate  duty  size  synth  info  sheet  join  filter  matrix  diagnose  schema
-reference-results  reference-decision  study  optimise  compare
+completion  reference-results  reference-decision  study  optimise  compare
 """
 
 from __future__ import annotations
@@ -33,6 +33,7 @@ COMMANDS = {
     "matrix": "compute elimination, Pugh and Kesselring matrices and check them for errors",
     "diagnose": "find physics that recordings show and the model of the rig lacks",
     "schema": "print the JSON Schema of a file, for editors and other programs",
+    "completion": "print the script with which a shell completes commands, names and files",
     "reference-results": "compare the simulated rig with the results of the reference report",
     "reference-decision": "compute the motor decision of the reference report again, cell by cell",
     "study": "repeat a study for many draws of what data sheets leave open",

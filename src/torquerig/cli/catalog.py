@@ -18,6 +18,7 @@ from torquerig.catalog.reading import Catalog
 from torquerig.catalog.search import catalog_for
 from torquerig.catalog.table import catalog_tables
 from torquerig.cli.common_options import catalog_option
+from torquerig.cli.completions import entry_names
 from torquerig.cli.json_option import json_option, wants_json
 from torquerig.errors import UnknownNameError, did_you_mean
 from torquerig.plain_table import grid
@@ -65,6 +66,8 @@ def command(context: click.Context, catalogs: tuple[Path, ...]) -> CatalogListRe
 
     A ? marks an unknown value. The interval after it is the range that a simulation draws from. A name that is also a
     command: torquerig catalog show NAME.
+
+    Example: torquerig catalog bldc-12n14p
     """
     context.obj = catalogs
     if context.invoked_subcommand is not None and wants_json():
@@ -80,12 +83,15 @@ def command(context: click.Context, catalogs: tuple[Path, ...]) -> CatalogListRe
 
 
 @click.command("show")
-@click.argument("name")
+@click.argument("name", shell_complete=entry_names)
 @catalog_option
 @json_option("catalog-show")
 @click.pass_context
 def show(context: click.Context, name: str, catalogs: tuple[Path, ...]) -> CatalogShowResult:
-    """Show all values of NAME with evidence and source, and how printed figures were converted."""
+    """Show all values of NAME with evidence and source, and how printed figures were converted.
+
+    Example: torquerig catalog show HDS6A-0104A
+    """
     catalog = catalog_for(None, (*(context.obj or ()), *catalogs))
     click.echo(_details(catalog, name))
     if name in catalog.classes:

@@ -74,6 +74,8 @@ def command(
     """Simulate every motor x gearbox x filter of SCENARIO, rank them, and write a report.
 
     With --set both the original and the edited study run, and the report lists the differences.
+
+    Example: torquerig compare scenarios/wear_rig.yaml --set load.occupancy=11
     """
     document = read_document(scenario)
     study = open_study(overridden(document, settings), catalog_for(scenario, catalogs))

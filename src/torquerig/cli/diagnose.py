@@ -66,6 +66,8 @@ def command(
     the findings with confidence, and the remaining differences.
 
     Exit code 0 means that a diagnosis was reached, whatever the verdict. Exit code 2 means a usage or input error.
+
+    Example: torquerig diagnose run1.parquet run2.parquet --scenario scenarios/wear_rig.yaml --report found.html
     """
     if check:
         _check(recordings, scenario, settings, catalogs, seed=seed, out=out)

@@ -10,6 +10,7 @@ import click
 from torquerig.catalog.motor import Motor
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option, edited, profile_option, profile_settings, set_option
+from torquerig.cli.completions import gearbox_names, motor_names
 from torquerig.cli.json_option import json_option
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import grid, wrapped
@@ -46,9 +47,17 @@ class _DutyOfMotor:
 @click.command("duty")
 @click.argument("scenario", type=click.Path(path_type=Path))
 @click.option(
-    "--motor", default=None, help="Another motor of the catalog (or alias), tuned and limited as in the study."
+    "--motor",
+    shell_complete=motor_names,
+    default=None,
+    help="Another motor of the catalog (or alias), tuned and limited as in the study.",
 )
-@click.option("--gearbox", default=None, help="Another gearbox of the catalog, tuned and limited as in the study.")
+@click.option(
+    "--gearbox",
+    shell_complete=gearbox_names,
+    default=None,
+    help="Another gearbox of the catalog, tuned and limited as in the study.",
+)
 @click.option("--recording", type=click.Path(path_type=Path), default=None,
               help="Take torque and speed from a recording (with motor_torque) instead of the profile.")  # fmt: skip
 @click.option("--duration", default=None, help="Length of a ramp or reversal, with its unit. Default: that of the "
@@ -77,6 +86,8 @@ def command(
 
     There is no simulation: speed and torque follow from inertias, loads, friction and gears. Values that the catalog
     gives as intervals stay intervals. Values that no document states are listed with the assumption.
+
+    Example: torquerig duty scenarios/wear_rig.yaml --profile duty_cycle --picture duty.svg
     """
     if picture is not None and picture.exists() and not force:
         raise InputError(f"{picture}: is there already; choose another name, or overwrite it with --force")

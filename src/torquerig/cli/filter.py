@@ -10,6 +10,7 @@ import click
 
 from torquerig.catalog.shipped import shipped_scenarios
 from torquerig.cli.common_options import catalog_option, channel_option
+from torquerig.cli.completions import chain_names, gearbox_names, motor_names
 from torquerig.cli.filter_blocks import blocks_for, described, filter_long
 from torquerig.cli.filter_evaluation import (
     bands_option,
@@ -50,6 +51,7 @@ _AS_THEY_ARE = "suspicious samples are filtered as they are"
 @click.option(
     "--chain",
     "names",
+    shell_complete=chain_names,
     multiple=True,
     help="Filter chain to apply; repeatable. Default: report_filter_code and report_filter_text.",
 )
@@ -59,11 +61,18 @@ _AS_THEY_ARE = "suspicious samples are filtered as they are"
     default=None,
     help="YAML file of filter chains. Default: the shipped scenarios/filters.yaml.",
 )
-@click.option("--motor", default=None, help="Motor of the catalog, if the sidecar does not name it.")
+@click.option(
+    "--motor", shell_complete=motor_names, default=None, help="Motor of the catalog, if the sidecar does not name it."
+)
 @click.option(
     "--ratio", type=float, default=None, help="Motor turns per output turn, if the sidecar has no gear_ratio."
 )
-@click.option("--gearbox", default=None, help="Gearbox of the catalog, for its ratio and its gear mesh lines.")
+@click.option(
+    "--gearbox",
+    shell_complete=gearbox_names,
+    default=None,
+    help="Gearbox of the catalog, for its ratio and its gear mesh lines.",
+)
 @click.option(
     "--scenario",
     type=click.Path(path_type=Path),
@@ -104,6 +113,8 @@ def command(
 
     A long recording is filtered block by block with constant memory. Figures and evaluation then use a section from its
     middle.
+
+    Example: torquerig filter run1.parquet --chain order_lines_low_pass --out filtered.parquet
     """
     if judge:
         evaluate = True

@@ -46,6 +46,8 @@ def command(
     FILE is a YAML file of published tables (scenarios/reference_tables.yaml), a decision matrix
     (scenarios/matrix_example.yaml), or a decision matrix as Excel workbook (written with --out drives.xlsx). Any other
     workbook or CSV file with a Pugh or Kesselring matrix is read by its shape, and the report says how it was read.
+
+    Example: torquerig matrix scenarios/matrix_example.yaml --out drives.xlsx
     """
     if template is not None:
         if wants_json():

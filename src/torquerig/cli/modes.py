@@ -67,6 +67,8 @@ def command(
 
     At a critical speed an order line has the frequency of a mode. The rig is linearised about its operating point; the
     omitted terms are listed at the end.
+
+    Example: torquerig modes scenarios/wear_rig.yaml --picture modes.svg
     """
     if picture is not None and picture.exists() and not force:
         raise InputError(f"{picture}: is there already; choose another name, or overwrite it with --force")

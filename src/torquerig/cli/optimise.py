@@ -9,6 +9,7 @@ import click
 
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option, set_option
+from torquerig.cli.completions import gearbox_names, motor_names
 from torquerig.cli.json_option import json_option
 from torquerig.cli.progress import drive_progress
 from torquerig.document import read_document
@@ -44,8 +45,10 @@ class _Range(_PairType):
 
 @click.command("optimise")
 @click.argument("scenario", type=click.Path(path_type=Path))
-@click.option("--motor", default=None, help="Motor of the catalog. Default: the present one.")
-@click.option("--gearbox", "gearboxes", multiple=True,
+@click.option(
+    "--motor", shell_complete=motor_names, default=None, help="Motor of the catalog. Default: the present one."
+)
+@click.option("--gearbox", "gearboxes", shell_complete=gearbox_names, multiple=True,
               help="Gearbox to try; repeatable. Default: those of the study.")  # fmt: skip
 @click.option("--crossover", type=_Range(), default="5..60", show_default=True,
               help="Limits of the speed loop's crossover [Hz].")  # fmt: skip

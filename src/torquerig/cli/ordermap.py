@@ -10,6 +10,7 @@ import click
 import numpy as np
 
 from torquerig.cli.common_options import catalog_option, channel_option
+from torquerig.cli.completions import gearbox_names, motor_names
 from torquerig.cli.json_option import json_option
 from torquerig.cli.suspicions import print_suspicions
 from torquerig.errors import InputError, RecordingError, UnitError
@@ -44,11 +45,15 @@ _ENDS = (1, 99)  # [%] quantiles of the speed that are printed as its range
 
 @click.command("ordermap")
 @click.argument("recording", type=click.Path(path_type=Path))
-@click.option("--motor", default=None, help="Motor of the catalog, if the sidecar does not name it.")
+@click.option(
+    "--motor", shell_complete=motor_names, default=None, help="Motor of the catalog, if the sidecar does not name it."
+)
 @click.option(
     "--ratio", type=float, default=None, help="Motor turns per output turn, if the sidecar has no gear_ratio."
 )
-@click.option("--gearbox", default=None, help="Gearbox of the catalog, for its gear mesh lines.")
+@click.option(
+    "--gearbox", shell_complete=gearbox_names, default=None, help="Gearbox of the catalog, for its gear mesh lines."
+)
 @click.option("--scenario", type=click.Path(path_type=Path), default=None,
               help="Scenario of the rig, for its gear mesh lines and its modes in the Campbell diagram.")  # fmt: skip
 @click.option(
@@ -73,6 +78,8 @@ def command(
 
     When the speed changes, a line of the shaft keeps its order. A line of the mains or of an electronic clock keeps its
     frequency. Each line is tested on both axes. A run at constant speed cannot decide.
+
+    Example: torquerig ordermap ramp.parquet --scenario scenarios/wear_rig.yaml --picture orders.svg
     """
     if picture is not None:
         from torquerig.reporting.figures.picture import check_picture

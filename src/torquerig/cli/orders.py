@@ -11,6 +11,7 @@ import click
 from torquerig.catalog.search import catalog_for
 from torquerig.catalog.winding import winding_of
 from torquerig.cli.common_options import catalog_option
+from torquerig.cli.completions import gearbox_names, motor_names
 from torquerig.cli.json_option import json_option
 from torquerig.document import read_document
 from torquerig.errors import InputError, UnitError
@@ -28,8 +29,10 @@ DEFAULT_MOTOR, DEFAULT_SPEED = "bldc-12n14p", "1000 rpm"
 
 
 @click.command("orders")
-@click.option("--motor", default=None, help="Motor of the catalog. Default: bldc-12n14p.")
-@click.option("--gearbox", default=None, help="Gearbox of the catalog, for its ratio and teeth.")
+@click.option("--motor", shell_complete=motor_names, default=None, help="Motor of the catalog. Default: bldc-12n14p.")
+@click.option(
+    "--gearbox", shell_complete=gearbox_names, default=None, help="Gearbox of the catalog, for its ratio and teeth."
+)
 @click.option(
     "--ratio", type=float, default=None, help="Motor turns per output turn; replaces the ratio of the gearbox."
 )
@@ -60,7 +63,10 @@ def command(
     planets: int | None, scenario: Path | None, speed: str | None, harmonics: int, mains: str,
     catalogs: tuple[Path, ...],
 ) -> OrdersResult:  # fmt: skip
-    """List frequency, order at motor and output shaft, cause and coincidences of each line."""
+    """List frequency, order at motor and output shaft, cause and coincidences of each line.
+
+    Example: torquerig orders --motor bldc-12n14p --ratio 5 --speed '1000 rpm'
+    """
     drive = {"motor": motor, "gearbox": gearbox, "ratio": ratio, "sun": sun, "ring": ring, "planets": planets}
     named = [f"--{option}" for option, value in drive.items() if value is not None]
     set_point = None

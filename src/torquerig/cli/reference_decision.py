@@ -43,6 +43,8 @@ def command(
     """Compute the published tables of PLAN from catalog and simulation, and the motor to buy or keep.
 
     PLAN states how each published criterion is computed. Default: the shipped scenarios/reference_decision.yaml.
+
+    Example: torquerig reference-decision --out decision.html
     """
     from torquerig.catalog.shipped import shipped_scenarios
     from torquerig.cli.progress import drive_progress

@@ -36,6 +36,8 @@ def command(
 
     Three parameters of the load are fitted to half of the published cells; the other half is held out. Where a
     simulated value differs from the published one, the page states which change of the rig would give it.
+
+    Example: torquerig reference-results --out reference_results.html
     """
     if out.exists() and not force:
         raise InputError(f"{out}: is there already; choose another name, or overwrite it with --force")

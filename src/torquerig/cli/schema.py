@@ -6,13 +6,14 @@ from pathlib import Path
 
 import click
 
+from torquerig.cli.completions import schema_names
 from torquerig.errors import InputError
 from torquerig.plain_table import wrapped
 from torquerig.whole_file import whole_file
 
 
 @click.command("schema")
-@click.argument("name", required=False)
+@click.argument("name", required=False, shell_complete=schema_names)
 @click.option("--all", "folder", type=click.Path(path_type=Path), default=None, metavar="FOLDER",
               help="Write every schema into FOLDER as NAME.json; earlier schemas there are replaced.")  # fmt: skip
 def command(*, name: str | None, folder: Path | None) -> None:

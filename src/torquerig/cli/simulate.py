@@ -16,6 +16,7 @@ from torquerig.cli.common_options import (
     quantity_in,
     set_option,
 )
+from torquerig.cli.completions import gearbox_names, motor_names
 from torquerig.cli.json_option import json_option
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import fixed, grid, rms_size, wrapped
@@ -41,9 +42,17 @@ from torquerig.units import parse_quantity
 @click.command("simulate")
 @click.argument("scenario", type=click.Path(path_type=Path))
 @click.option(
-    "--motor", default=None, help="Another motor of the catalog (or alias), tuned and limited as in the study."
+    "--motor",
+    shell_complete=motor_names,
+    default=None,
+    help="Another motor of the catalog (or alias), tuned and limited as in the study.",
 )
-@click.option("--gearbox", default=None, help="Another gearbox of the catalog, tuned and limited as in the study.")
+@click.option(
+    "--gearbox",
+    shell_complete=gearbox_names,
+    default=None,
+    help="Another gearbox of the catalog, tuned and limited as in the study.",
+)
 @click.option("--duration", default=None,
               help="Length of the recording, with its unit. Default: that of the profile table, else of "
                    "the scenario's section recording, else 10 s.")  # fmt: skip
@@ -78,6 +87,8 @@ def command(
 
     The same scenario and seed give the same bytes. With --motor or --gearbox the speed loop is tuned by the study's
     rule, and the drive is limited to the range of the sensor, as in `torquerig compare`.
+
+    Example: torquerig simulate scenarios/wear_rig.yaml --duration '12 s' --seed 3 --out run3.parquet
     """
     stated = _seconds(duration)
     check_target(out, overwrite=force, inputs=[] if inputs is None else [inputs])

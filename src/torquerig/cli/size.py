@@ -9,6 +9,7 @@ import click
 from torquerig.catalog.reading import Catalog
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option, edited, profile_option, profile_settings, set_option
+from torquerig.cli.completions import gearbox_names, motor_names
 from torquerig.cli.json_option import json_option
 from torquerig.document import Document
 from torquerig.errors import InputError
@@ -31,9 +32,17 @@ SAMPLES = 3  # Monte Carlo samples of the drive whose disturbance is simulated
 @click.command("size")
 @click.argument("scenario", type=click.Path(path_type=Path))
 @click.option(
-    "--motor", default=None, help="Another motor of the catalog (or alias), tuned and limited as in the study."
+    "--motor",
+    shell_complete=motor_names,
+    default=None,
+    help="Another motor of the catalog (or alias), tuned and limited as in the study.",
 )
-@click.option("--gearbox", default=None, help="Another gearbox of the catalog, tuned and limited as in the study.")
+@click.option(
+    "--gearbox",
+    shell_complete=gearbox_names,
+    default=None,
+    help="Another gearbox of the catalog, tuned and limited as in the study.",
+)
 @click.option("--all", "every", is_flag=True, help="Size every motor x gearbox of the study, one row each.")
 @click.option("--ambient", type=click.FloatRange(-60, 150), default=40.0, show_default=True,
               help="Temperature of the surroundings in degrees Celsius.")  # fmt: skip
@@ -63,6 +72,8 @@ def command(
     The table has torque, speed, heat, gearbox, current and braking energy as in sizing programs. It also has the
     overload of the sensor, the disturbance before and after each filter, and the share of the load in the reading.
     Values that the catalog gives as intervals stay intervals; the catalog value that decides is listed with the result.
+
+    Example: torquerig size scenarios/wear_rig.yaml --motor HDS6A-0104A --picture size.svg
     """
     if every and (motor or gearbox or picture or shell):
         raise InputError(

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from torquerig.cli.common_options import quantity_in
+from torquerig.cli.completions import motor_names
 from torquerig.cli.json_option import json_option
 from torquerig.cli.synth_fault import fault
 from torquerig.errors import InputError
@@ -31,7 +32,8 @@ def _run_options(function: Callable[..., None]) -> Callable[..., None]:
     """Add the options of a recording that is described on the command line."""
     for option in (
         click.option("--ratio", type=float, default=None, help="Motor turns per output turn, for the sidecar."),
-        click.option("--motor", default=None, help="Motor of the catalog, for the sidecar."),
+        click.option("--motor", shell_complete=motor_names, default=None,
+                     help="Motor of the catalog, for the sidecar."),
         click.option("--speed", callback=quantity_in("rad/s"), default=None, metavar="SPEED",
                      help="Speed of the motor for the sidecar, such as '1000 rpm'."),
         click.option("--rate", callback=quantity_in("Hz"), default="25 kHz", show_default=True, metavar="FREQUENCY",
@@ -60,7 +62,10 @@ def command() -> None:
 @_force
 @json_option("synth-control")
 def control(*, seed: int | None, out: Path, force: bool, **run: Any) -> WrittenResult:
-    """Make a control signal: every frequency from 0 to half the sample rate at equal amplitude."""
+    """Make a control signal: every frequency from 0 to half the sample rate at equal amplitude.
+
+    Example: torquerig synth control --amplitude '1 mN*m' --out control.parquet
+    """
     return _write_mixture({"control": {"type": "control"}}, "control", run, seed=seed, out=out, force=force)
 
 
@@ -78,7 +83,10 @@ def control(*, seed: int | None, out: Path, force: bool, **run: Any) -> WrittenR
 def sweep(
     *, start: float, stop: float, spacing: str | None, seed: int | None, out: Path, force: bool, **run: Any
 ) -> WrittenResult:
-    """Make a sine sweep."""
+    """Make a sine sweep.
+
+    Example: torquerig synth sweep --from '1 Hz' --to '2 kHz' --out sweep.parquet
+    """
     written = {"type": "sweep", "start": f"{start!r} Hz", "stop": f"{stop!r} Hz", "spacing": spacing or "logarithmic"}
     return _write_mixture({"sweep": written}, "sweep", run, seed=seed, out=out, force=force)
 
@@ -90,7 +98,10 @@ def sweep(
 @_force
 @json_option("synth-mixture", reads=("description",))
 def mixture(*, description: Path, seed: int | None, out: Path, force: bool) -> WrittenResult:
-    """Make the mixture of DESCRIPTION (YAML), with each component as a separate channel."""
+    """Make the mixture of DESCRIPTION (YAML), with each component as a separate channel.
+
+    Example: torquerig synth mixture scenarios/mixture_example.yaml --out mixture.parquet
+    """
     check_target(out, overwrite=force)
     return _write(_mixed(description, seed), out, force=force)
 
@@ -102,7 +113,10 @@ def mixture(*, description: Path, seed: int | None, out: Path, force: bool) -> W
 @_force
 @json_option("synth-pair", reads=("description",))
 def pair(*, description: Path, seed: int | None, out: Path, force: bool) -> WrittenResult:
-    """Make the mixture of DESCRIPTION, and its load and noise as separate recordings (NAME_load, NAME_noise)."""
+    """Make the mixture of DESCRIPTION, and its load and noise as separate recordings (NAME_load, NAME_noise).
+
+    Example: torquerig synth pair scenarios/mixture_example.yaml --out pair.parquet
+    """
     from torquerig.synthetic.pairs import load_only, noise_only
 
     targets = [out, *(out.with_name(f"{out.stem}_{word}{out.suffix}") for word in ("load", "noise"))]
@@ -132,6 +146,8 @@ def effects(
 
     Contributions of sensor stages are exact. Those of mechanisms on the shafts are differences between runs in which
     the mechanisms are switched on one after the other.
+
+    Example: torquerig synth effects scenarios/wear_rig.yaml --out effects.parquet
     """
     from torquerig.catalog.search import catalog_for
     from torquerig.cli.common_options import edited

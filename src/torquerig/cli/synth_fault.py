@@ -10,6 +10,7 @@ import click
 import numpy as np
 
 from torquerig.cli.common_options import quantity_in
+from torquerig.cli.completions import fault_names
 from torquerig.cli.json_option import json_option
 from torquerig.errors import InputError
 from torquerig.plain_table import grid, wrapped
@@ -28,7 +29,7 @@ def _list(context: click.Context, _: click.Parameter, wanted: bool) -> None:
 
 
 @click.command("fault")
-@click.argument("fault")
+@click.argument("fault", shell_complete=fault_names)
 @click.option("--list", is_flag=True, is_eager=True, expose_value=False, callback=_list,
               help="List all faults with their parameters, and which command names them.")  # fmt: skip
 @click.option("--from", "source", type=click.Path(path_type=Path), default=None, metavar="RECORDING",

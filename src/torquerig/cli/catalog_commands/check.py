@@ -28,6 +28,8 @@ def command(
 
     For each entry: why it cannot be read, values that contradict, and open values with the figure that each widens most
     (the others at their middle) and the criterion or command that needs it.
+
+    Example: torquerig catalog check catalogs/motors
     """
     here = Path("catalogs")
     chosen = path or (here if here.is_dir() else shipped_folder())

@@ -10,6 +10,7 @@ from torquerig.catalog.entry import estimates
 from torquerig.catalog.exchange.gear_attributes import FIELDS, node_set
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option
+from torquerig.cli.completions import gearbox_names
 from torquerig.cli.json_option import json_option
 from torquerig.errors import InputError
 from torquerig.reporting.json_results.simulate import WrittenResult, named
@@ -17,7 +18,7 @@ from torquerig.whole_file import whole_file
 
 
 @click.command("export")
-@click.argument("name")
+@click.argument("name", shell_complete=gearbox_names)
 @click.argument("file", type=click.Path(path_type=Path))
 @catalog_option
 @json_option("catalog-export")
@@ -27,6 +28,8 @@ def command(context: click.Context, *, name: str, file: Path, catalogs: tuple[Pa
 
     A value that is an interval has no field there and is left out; the command lists what it left out. A sizing is
     written with torquerig size SCENARIO --shell FILE.
+
+    Example: torquerig catalog export reference-5-1 gear.xml
     """
     box = catalog_for(None, (*(context.obj or ()), *catalogs)).gearbox(name)
     if file.suffix != ".xml":

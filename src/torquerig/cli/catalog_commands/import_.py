@@ -37,6 +37,8 @@ def command(
 
     A sizing project of IDTA 02021 (.aasx, .json or .xml) becomes a folder with profile.csv for duty, size and simulate,
     and requirements.yaml with all else. A gear of OPC UA Powertrain (a node set, .xml) becomes a gearbox entry.
+
+    Example: torquerig catalog import gear.xml catalogs/gearboxes/mine.yaml
     """
     content = read_bytes(file)
     root = xml_of(content, str(file)) if content.lstrip(b"\xef\xbb\xbf \t\r\n")[:1] == b"<" else None
