@@ -217,6 +217,8 @@ def _energy(torque: NDArray[np.float64], output_speed: NDArray[np.float64], reco
 def _levels(
     first: NDArray[np.float64], last: NDArray[np.float64], rate: float, speed: float, lines: Sequence[KinematicLine]
 ) -> tuple[LineLevel, ...]:
+    if not lines:  # a transform for no bin takes as long as for all
+        return ()
     centres = [line.frequency(speed) for line in lines]
     bins = [bins_within(first.size, rate, [(at - LINE_HALF_WIDTH, at + LINE_HALF_WIDTH)]) for at in centres]
     wanted = np.unique(np.concatenate([np.empty(0, dtype=np.int64), *bins]))
