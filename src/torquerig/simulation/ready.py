@@ -16,7 +16,7 @@ from torquerig.simulation.inputs import Draws, Span, filled, held_while_settling
 from torquerig.simulation.lower import Lowered
 from torquerig.simulation.measured_places import Output
 from torquerig.simulation.outputs import outputs_of
-from torquerig.simulation.step_choice import step_choice
+from torquerig.simulation.step_choice import step_choices
 from torquerig.simulation.term_kinds import Terms
 
 
@@ -28,6 +28,8 @@ class Ready:
     ----------
     steps : int
         Integration steps per sample.
+    steps_without_impacts : int
+        The same where the flanks of gaps neither meet nor part.
     origin : mapping
         The origin that is written to the recording.
     """
@@ -38,6 +40,7 @@ class Ready:
     terms: Terms
     outputs: tuple[Output, ...]
     steps: int
+    steps_without_impacts: int
     origin: Mapping[str, Any]
 
     def start(self) -> tuple[Floats, Floats]:
@@ -81,7 +84,7 @@ def ready(
     refuse_long(span)
     lowered = held_while_settling(lowered, span)
     terms = filled(rig, lowered, span, draws)
-    choice = step_choice(lowered, terms, span.rate)
+    choice, without_impacts = step_choices(lowered, terms, span.rate)
     if substeps is None and most_steps is None:
         refuse_stiff(choice, lowered, span.rate)
     steps = substeps or choice.steps
@@ -92,4 +95,5 @@ def ready(
         origin["phase_seed"] = span.phase_seed
     if lowered.condensation is not None:
         origin["condensed"] = lowered.condensation.sentence()
-    return Ready(rig, span, lowered, terms, outputs_of(rig, lowered), steps, origin)
+    fewer = min(steps, without_impacts.steps)
+    return Ready(rig, span, lowered, terms, outputs_of(rig, lowered), steps, fewer, origin)

@@ -24,6 +24,7 @@ EVENT_ANGLE = 1.5  # [rad] the same for what is over within milliseconds; at 2.3
 # [rad] the same for a decay in a gap whose flanks stay together; at 1.3 one step in place of 64 changes the torque of
 # the shipped study's drives by 4e-5 of its standard deviation
 DECAY_ANGLE = 1.5
+NO_PEAK = 0.5**0.5  # [1] damping ratio from which on a motion has no resonance: it follows its torque and does not ring
 STABLE_ANGLE = 2.6  # [rad] Runge-Kutta 4 is stable to 2.785 (decay) and 2.828 (oscillation); a little is kept back
 CREEPS = 3.0  # [1] speed over the smoothing of a sign, below which friction may change its direction
 
@@ -81,10 +82,16 @@ def step_without_impacts(lowered: Lowered, terms: Terms, sample_rate: float) -> 
     """Return the fewest steps per sample where the flanks of a gap neither meet nor part.
 
     ``CONTACT_ANGLE`` is for the moment of an impact. A twist that stays on one flank is as smooth as in a spring
-    without a gap: an oscillation may turn by ``STEP_ANGLE``, a decay that follows its torque by ``DECAY_ANGLE``.
+    without a gap: what rings may turn by ``STEP_ANGLE``, what follows its torque (``NO_PEAK``) by ``DECAY_ANGLE``.
     """
+    return step_choices(lowered, terms, sample_rate)[1]
+
+
+def step_choices(lowered: Lowered, terms: Terms, sample_rate: float) -> tuple[StepChoice, StepChoice]:
+    """Return both: ``step_choice`` and ``step_without_impacts``."""
     found = rates(lowered, terms)
-    return _choice([one if one.together is None else replace(one, allowed=one.together) for one in found], sample_rate)
+    together = [one if one.together is None else replace(one, allowed=one.together) for one in found]
+    return _choice(found, sample_rate), _choice(together, sample_rate)
 
 
 def _choice(found: Sequence[Rate], sample_rate: float) -> StepChoice:
@@ -116,7 +123,8 @@ def _modes(lowered: Lowered) -> list[Rate]:
         what = f"the mode at {frequency:.4g} Hz{place}" if frequency else f"a damped motion{place}"
         bounces = bool(shares[lowered.arrays.springs.half_gap > 0].sum() >= STRAINED)
         allowed = CONTACT_ANGLE if bounces else STEP_ANGLE
-        together = None if not bounces else STEP_ANGLE if frequency else DECAY_ANGLE
+        rings = -values[row].real < NO_PEAK * rate
+        together = None if not bounces else STEP_ANGLE if rings else DECAY_ANGLE
         found.append(Rate(rate, what, allowed, spring=spring if frequency else None, together=together))
     return found
 

@@ -23,7 +23,6 @@ from torquerig.simulation.outputs import as_arrays
 from torquerig.simulation.ready import Ready, ready
 from torquerig.simulation.shared_waves import can_share_waves, with_shared_waves
 from torquerig.simulation.simulator import recorded
-from torquerig.simulation.step_choice import step_without_impacts
 
 
 def united(runs: Sequence[BatchRun]) -> list[list[int]]:
@@ -107,7 +106,7 @@ def _prepared(run: BatchRun, *, scenario: str, draws: Draws) -> Ready:
 
 
 def _without_impacts(run: Ready) -> Ready:
-    return _with_steps(run, shared_steps(step_without_impacts(run.lowered, run.terms, run.span.rate).steps))
+    return _with_steps(run, shared_steps(run.steps_without_impacts))
 
 
 def _with_steps(run: Ready, steps: int) -> Ready:
