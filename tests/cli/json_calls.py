@@ -25,6 +25,7 @@ components:
   noise: {type: white_noise, rms: 0.01 N*m}
 """
 QUICK: dict[str, tuple[str, ...]] = {
+    "batch": ("batch", "info", "folder"),
     "catalog-check": ("catalog", "check", str(SCENARIOS.parent / "catalogs" / "gearboxes")),
     "catalog-export": ("catalog", "export", "reference-5-1", "gear.xml"),
     "catalog-import": ("catalog", "import", "given.xml", "gearbox.yaml"),
@@ -80,5 +81,7 @@ def make_inputs(folder: Path) -> None:
     (folder / "mixture.yaml").write_text(MIXTURE, encoding="utf-8")
     rows = "\n".join(f"{number / 1000},{number % 7}" for number in range(2000))
     (folder / "bare.csv").write_text(f"time_s,torque_V\n{rows}\n", encoding="utf-8")
+    (folder / "folder").mkdir()
+    (folder / "folder" / "one.csv").write_text(f"time_s,torque_Nm\n{rows}\n", encoding="utf-8")
     main(["catalog", "export", "reference-5-1", str(folder / "given.xml")])
     main(["simulate", WEAR_RIG, "--duration", "4 s", "--rate", "5 kHz", "--out", str(folder / "run.parquet")])

@@ -105,7 +105,7 @@ def test_json_overwrites_only_json_of_the_same_command(
     out: str, folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (folder / "other.json").write_text('{"schema": "torquerig.orders/1"}', encoding="utf-8")
-    before = {path.name: path.read_bytes() for path in folder.iterdir()}
+    before = {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()}
     capsys.readouterr()
     with pytest.raises(SystemExit) as left:
         main(["filter", "run.parquet", "--chain", "report_filter_code", "--out", "new.parquet", "--json", out])
@@ -113,7 +113,7 @@ def test_json_overwrites_only_json_of_the_same_command(
     assert left.value.code == 2
     assert REFUSED[out] in said.err
     assert said.err.count("\n") == 1
-    assert {path.name: path.read_bytes() for path in folder.iterdir()} == before
+    assert {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()} == before
 
 
 def test_a_failing_command_leaves_the_old_json(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -12,7 +12,7 @@ import click
 
 from torquerig.catalog.search import catalog_folders, catalog_for
 from torquerig.cli.common_options import catalog_option, edited, set_option
-from torquerig.cli.json_option import write_json
+from torquerig.cli.json_option import stated_options, write_json
 from torquerig.cli.output_paths import check_output_paths
 from torquerig.errors import InputError
 from torquerig.recordings.files import read_recording
@@ -123,9 +123,13 @@ def _provenance(inputs: Sequence[Path], scenario: Path, catalogs: Sequence[Path]
     from torquerig.reporting.json_results.provenance import provenance_of
     from torquerig.reporting.json_results.values import plain_values
 
-    made = provenance_of(inputs, seed=seed, catalogs=catalog_folders(scenario, catalogs))
+    made = provenance_of(inputs, seed=seed, catalogs=catalog_folders(scenario, catalogs), options=_options())
     plain: dict[str, Any] = plain_values(made)[0]
     return plain
+
+
+def _options() -> dict[str, Any]:
+    return stated_options(click.get_current_context(), without=("recordings", "scenario", "out"))
 
 
 def _answer(outcome: Outcome | MotionOutcome, data: Mapping[str, Any], nominal: Rig, *, seed: int) -> list[str]:
@@ -170,7 +174,8 @@ def _check(
         from torquerig.reporting.json_results.document import json_document
         from torquerig.reporting.json_results.provenance import provenance_of
 
-        origin = provenance_of(inputs, seed=seed, catalogs=catalog_folders(scenario, catalogs))
+        folders = catalog_folders(scenario, catalogs)
+        origin = provenance_of(inputs, seed=seed, catalogs=folders, options=_options())
         document = json_document("diagnose-check", DiagnoseCheckResult(tuple(text.splitlines())), origin)
         write_json(json_text(document), out)
 

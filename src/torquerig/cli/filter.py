@@ -11,15 +11,15 @@ import click
 from torquerig.catalog.shipped import shipped_scenarios
 from torquerig.cli.common_options import catalog_option, channel_option
 from torquerig.cli.completions import chain_names, gearbox_names, motor_names
-from torquerig.cli.filter_blocks import blocks_for, described, filter_long
-from torquerig.cli.filter_evaluation import (
+from torquerig.cli.filter_parts.blocks import blocks_for, described, filter_long
+from torquerig.cli.filter_parts.evaluation import (
     bands_option,
     evaluation_pictures,
     hit_decay_option,
     print_evaluations,
     stated_scale,
 )
-from torquerig.cli.filter_text import print_effects
+from torquerig.cli.filter_parts.text import print_effects
 from torquerig.cli.json_option import json_option
 from torquerig.cli.suspicions import print_suspicions, print_suspicions_of_start
 from torquerig.errors import InputError, UnitError, did_you_mean

@@ -6,16 +6,20 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import wraps
 from io import StringIO
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from torquerig.cli.output_paths import check_output_paths
 from torquerig.errors import TorquerigError
+from torquerig.reporting.json_results.values import Missing
+
+if TYPE_CHECKING:
+    from torquerig.reporting.json_results.provenance import Provenance
 
 STANDARD_OUTPUT = "-"
 _WANTED: ContextVar[bool] = ContextVar("wants_json", default=False)
@@ -58,25 +62,77 @@ def json_option(
             if json_out is None:
                 _done(function(*args, **kwargs))
                 return
-            from torquerig.reporting.json_results.document import json_document, json_text
-            from torquerig.reporting.json_results.provenance import provenance_of
+            from torquerig.reporting.json_results.document import json_text
 
-            inputs = list(_inputs(kwargs, reads))
             if json_out != STANDARD_OUTPUT:
-                _check(Path(json_out), command, kwargs, reads, inputs)
-            with silent_output(json_out == STANDARD_OUTPUT), _for_json():
-                made = function(*args, **kwargs)
-            result = made.result if isinstance(made, Partly) else made
-            stated = getattr(result, "seed", None) if kwargs.get("seed") is None else kwargs["seed"]
-            seed = stated if isinstance(stated, int) else None
-            origin = provenance_of(inputs, seed=seed, catalogs=_catalogs(kwargs))
-            name = getattr(result, "json_name", command)  # --all-points of compare has a result of another form
-            write_json(json_text(json_document(name, result, origin)), json_out)
+                _check(Path(json_out), command, kwargs, reads)
+            call = JsonCall(command, tuple(reads), function, click.get_current_context())
+            with silent_output(json_out == STANDARD_OUTPUT):
+                made, document = call.done(*args, **kwargs)
+            write_json(json_text(document), json_out)
             _done(made)
 
+        run.json_form = (command, tuple(reads), function)  # type: ignore[attr-defined] # for commands that call others
         return run
 
     return decorated
+
+
+@dataclass(frozen=True)
+class JsonCall:
+    """A call of a command whose result becomes a JSON document."""
+
+    command: str
+    reads: tuple[str, ...]
+    function: Callable[..., Any]
+    context: click.Context
+
+    @classmethod
+    def of(cls, context: click.Context) -> JsonCall:
+        """Return the call of a context whose options are read."""
+        command, reads, function = getattr(context.command.callback, "json_form")  # noqa: B009 (set by json_option)
+        return cls(command, reads, function, context)
+
+    def done(self, *args: Any, **kwargs: Any) -> tuple[Any, dict[str, Any]]:
+        """Run the command; return what its function returns, and the document."""
+        from torquerig.reporting.json_results.document import json_document
+
+        origin = self.origin(kwargs)  # before the run, which may write among its inputs
+        with _for_json():
+            made = self.function(*args, **kwargs)
+        result = made.result if isinstance(made, Partly) else made
+        stated = getattr(result, "seed", None)
+        if isinstance(stated, int) and isinstance(origin.seed, Missing):
+            origin = replace(origin, seed=stated)
+        name = getattr(result, "json_name", self.command)  # --all-points of compare has a result of another form
+        return made, json_document(name, result, origin)
+
+    def origin(self, kwargs: dict[str, Any]) -> Provenance:
+        """Return version, hashes, options, and the seed where an option states it."""
+        from torquerig.reporting.json_results.provenance import provenance_of
+
+        return provenance_of(
+            list(_inputs(kwargs, self.reads)), seed=kwargs.get("seed"), catalogs=_catalogs(kwargs),
+            options=stated_options(self.context, without=(*self.reads, "json_out")),
+        )  # fmt: skip
+
+
+def stated_options(context: click.Context, *, without: Sequence[str]) -> dict[str, Any]:
+    """Return the options and arguments that the command line states, by their names; of a path its name alone."""
+    found = {}
+    for one in context.command.params:
+        name = str(one.name)
+        if name in without or context.get_parameter_source(name) is not click.core.ParameterSource.COMMANDLINE:
+            continue
+        spoken = one.opts[-1].lstrip("-") if isinstance(one, click.Option) else name
+        found[spoken] = _plain_option(context.params[name])
+    return found
+
+
+def _plain_option(value: Any) -> Any:
+    if isinstance(value, tuple | list):
+        return [_plain_option(one) for one in value]
+    return value.name if isinstance(value, Path) else value
 
 
 def wants_json() -> bool:
@@ -156,10 +212,12 @@ def _paths(values: Any) -> Iterator[Path]:
             yield from _paths(value)
 
 
-def _check(out: Path, command: str, kwargs: dict[str, Any], reads: Sequence[str], inputs: Sequence[Path]) -> None:
+def _check(out: Path, command: str, kwargs: dict[str, Any], reads: Sequence[str]) -> None:
     """Refuse to write over an input, over another output of the call, or over a file of another kind."""
     others = [value for name, value in kwargs.items() if name not in reads]
     if out.resolve() in {path.resolve() for path in _paths(others)}:
         raise click.UsageError(f"{out}: two outputs have this path; name two files")
     mark = f'"schema": "torquerig.{command}'
-    check_output_paths([(out, mark)], inputs=inputs, what=f"JSON of torquerig {command.replace('-', ' ')}")
+    check_output_paths(
+        [(out, mark)], inputs=_inputs(kwargs, reads), what=f"JSON of torquerig {command.replace('-', ' ')}"
+    )

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import sys
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from torquerig.cli.console import terminal
@@ -12,6 +14,10 @@ from torquerig.harmless import harmless
 
 if TYPE_CHECKING:
     from torquerig.cases import Progress as CaseProgress
+
+
+EVERY = 10.0  # [s] between plain lines, at most: a reader of a log sees that the work goes on
+MINUTES = 120.0  # [s] from here on the remaining time is in minutes
 
 
 @contextmanager
@@ -29,13 +35,13 @@ def drive_progress(title: str) -> Iterator[Callable[[int, int, str], None]]:
 
     console = Console(file=terminal(sys.stderr))
     if not console.is_terminal:
-        yield (
-            lambda done, total, name: (
-                console.print(f"{title}: {done}/{total} {harmless(name)}", markup=False)
-                if _is_shown(done, total)
-                else None
-            )
-        )
+        lines = PlainLines(title)
+
+        def shown(done: int, total: int, name: str) -> None:
+            if line := lines.line(done, total, name, now=time.monotonic()):
+                console.print(line, markup=False, soft_wrap=True)
+
+        yield shown
         return
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(),
                TimeRemainingColumn(), TextColumn("{task.fields[name]}", markup=False))  # fmt: skip
@@ -50,9 +56,7 @@ def case_progress(title: str) -> Iterator[Callable[[CaseProgress], None]]:
     with drive_progress(title) as shown:
 
         def progress(now: CaseProgress) -> None:
-            left = "" if now.remaining is None else f"some {now.remaining:.0f} s remain"
-            failed = f"{now.failed} failed" if now.failed else ""
-            shown(now.done, now.total, ", ".join(word for word in (left, failed) if word))
+            shown(now.done, now.total, f"{now.failed} failed" if now.failed else "")
 
         yield progress
 
@@ -71,5 +75,39 @@ def stages(title: str) -> Iterator[Callable[[str], None]]:
         yield lambda stage: status.update(f"{title}: {escape(harmless(stage))}")
 
 
-def _is_shown(done: int, total: int) -> bool:
-    return done == total or done % 10 == 0
+@dataclass
+class PlainLines:
+    """Progress in plain lines: the tenth of each ten, the last one, and one where the last line is older than 10 s.
+
+    Parameters
+    ----------
+    title : str
+    start : float
+        Time of the first call [s].
+    last : float
+        Time of the last line [s].
+    before : int
+        What was done at the first call: it took no time of this run.
+    """
+
+    title: str
+    start: float | None = None
+    last: float = 0.0
+    before: int = 0
+
+    def line(self, done: int, total: int, name: str, *, now: float) -> str:
+        """Return the line for this state, with the remaining time; empty where none is due. ``now`` in [s]."""
+        if self.start is None:
+            self.start, self.last, self.before = now, now, done
+        if not (done == total or done % 10 == 0 or now - self.last >= EVERY):
+            return ""
+        self.last = now
+        return f"{self.title}: {done}/{total}{self._remaining(done, total, now)} {harmless(name)}".rstrip()
+
+    def _remaining(self, done: int, total: int, now: float) -> str:
+        """Return the remaining time at the mean rate since the first call."""
+        made = done - self.before
+        if self.start is None or made <= 0 or done >= total:
+            return ""
+        seconds = (now - self.start) / made * (total - done)
+        return f", some {seconds:.0f} s remain," if seconds < MINUTES else f", some {seconds / 60:.0f} min remain,"

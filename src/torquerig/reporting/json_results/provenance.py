@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from torquerig.reporting.json_results.values import Missing
 from torquerig.version import __version__
@@ -28,15 +29,20 @@ class Provenance:
         ``catalogs`` where the command reads catalogs.
     seed : int or None
         Seed of the random numbers; None where the command draws none.
+    options : mapping
+        Options and arguments that the command line states, without inputs and ``--json``; of paths the name.
     """
 
     torquerig: str
     source_sha256: str
     inputs_sha256: Mapping[str, str]
     seed: int | Missing
+    options: Mapping[str, Any]
 
 
-def provenance_of(inputs: Iterable[Path], *, seed: int | None, catalogs: Iterable[Path] = ()) -> Provenance:
+def provenance_of(
+    inputs: Iterable[Path], *, seed: int | None, catalogs: Iterable[Path] = (), options: Mapping[str, Any] | None = None
+) -> Provenance:
     """Return the provenance of a result that is computed from these files and catalog folders with this seed."""
     of_catalogs = {"catalogs": folders_sha256(catalogs)} if catalogs else {}
     return Provenance(
@@ -44,6 +50,7 @@ def provenance_of(inputs: Iterable[Path], *, seed: int | None, catalogs: Iterabl
         source_sha256=source_sha256(),
         inputs_sha256={**hashes_of(inputs), **of_catalogs},
         seed=Missing("the command draws no random numbers") if seed is None else seed,
+        options=options or {},
     )
 
 

@@ -7,6 +7,7 @@ from importlib import import_module
 
 _WRITTEN = "simulate:WrittenResult"
 RESULTS: Mapping[str, str] = {
+    "batch": "batch:BatchResult",
     "catalog-check": "catalog:CatalogCheckResult",
     "catalog-export": _WRITTEN,
     "catalog-import": _WRITTEN,

@@ -1,0 +1,1 @@
+"""Parts of ``torquerig filter``: block by block, evaluation, text."""
