@@ -76,7 +76,7 @@ function limitRow(model, at, changed) {
 function startMatrices() {
   const host = document.getElementById("matrix-controls");
   if (!host) return;
-  const stated = readMatrix(), state = { model: readMatrix() };
+  const stated = solveMatrices(readMatrix()), state = { model: readMatrix() };
   const render = () => {
     const solved = solveMatrices(state.model);
     if (solved.overall === null) return "all weights are 0; give at least one criterion a weight above 0";

@@ -28,9 +28,12 @@ function cellOf(text, attributes) {
   return element("td", { text, ...attributes });
 }
 
-function fillTable(id, head, rows) {
-  const table = document.getElementById(id);
+// Fill a table, with rows from `made`; one that is folded away waits until its section opens.
+function fillTable(id, head, made) {
+  const table = document.getElementById(id), folded = table && table.closest("details:not([open])");
   if (!table) return;
+  if (folded) { folded.ontoggle = () => { folded.ontoggle = null; fillTable(id, head, made); }; return; }
+  const rows = made();
   const headings = head.map(([text, isNumber]) => element("th", { scope: "col", text, class: isNumber ? "number" : null }));
   table.tHead.replaceChildren(element("tr", {}, ...headings));
   table.tBodies[0].replaceChildren(...rows);
@@ -51,7 +54,7 @@ function showMatrices(model, solved, stated) {
 }
 
 function showWinner(model, solved, stated) {
-  const before = solveMatrices(stated).winner, host = document.getElementById("matrix-winner");
+  const before = stated.winner, host = document.getElementById("matrix-winner");
   if (solved.winner === null) { host.textContent = "No alternative meets these requirements."; return; }
   const name = model.rows[solved.winner].name, share = solved.overall.share[solved.rows.indexOf(solved.winner)];
   const same = before === solved.winner ? "as with the stated values" : `with the stated values it is ${before === null ? "none" : model.rows[before].name}`;
@@ -63,7 +66,7 @@ function showRanking(model, solved) {
   const shown = solved.ranked.slice(0, MOST_RANKED);
   const baseline = solved.rows.indexOf(model.baseline);
   if (baseline >= 0 && !shown.includes(baseline)) shown.push(baseline);
-  const rows = shown.map((at) => bodyRow(model.rows[solved.rows[at]].name, [
+  const rows = () => shown.map((at) => bodyRow(model.rows[solved.rows[at]].name, [
     cellOf(rankText(found.ranks[at], found.range.best[at], found.range.worst[at]), { class: "number" }),
     cellOf(found.share[at].toFixed(3), { class: "number", style: shadeOf(found.share[at], 0.4, 1) }),
     cellOf(spanText(found.low[at] / found.ideal, found.high[at] / found.ideal, 2), { class: "number" }),
@@ -73,7 +76,7 @@ function showRanking(model, solved) {
 }
 
 function showElimination(model, solved) {
-  const rows = solved.chart.map(({ marks, decision }, group) => bodyRow(model.groups[group], [
+  const rows = () => solved.chart.map(({ marks, decision }, group) => bodyRow(model.groups[group], [
     ...model.requirements.map((_, at) => cellOf(marks[at] || "", { class: "mark", style: marks[at] ? `background:${MARK_COLOURS[marks[at]]};color:#000` : null })),
     cellOf(decision),
   ]));
@@ -83,7 +86,7 @@ function showElimination(model, solved) {
 
 function showPugh(model, solved) {
   const found = solved.pugh;
-  const rows = found.rows.map((row, at) => bodyRow(model.rows[row].name, [
+  const rows = () => found.rows.map((row, at) => bodyRow(model.rows[row].name, [
     ...found.signs[at].map((sign) => cellOf(sign, { class: "mark", style: `background:${MARK_COLOURS[sign]};color:#000` })),
     ...["+", "-", "S", "?"].map((sign) => cellOf(`${found.signs[at].filter((one) => one === sign).length}`, { class: "number" })),
     cellOf(spanText(found.netLow[at], found.netHigh[at]), { class: "number" }),
@@ -93,7 +96,7 @@ function showPugh(model, solved) {
 
 function showPoints(model, solved) {
   const found = solved.overall;
-  const rows = solved.ranked.map((at) => bodyRow(model.rows[solved.rows[at]].name, [
+  const rows = () => solved.ranked.map((at) => bodyRow(model.rows[solved.rows[at]].name, [
     ...found.points[at].map(([low, high, middle]) => cellOf(spanText(low, high, 2), { class: "number", style: shadeOf(middle, model.profile.min, model.profile.max) })),
     cellOf(plainNumber(found.total[at]), { class: "number" }),
     cellOf(found.share[at].toFixed(3), { class: "number" }),

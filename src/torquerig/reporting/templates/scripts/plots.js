@@ -1,6 +1,7 @@
 "use strict";
 // Plots of long curves: Bokeh draws, the pyramid gives it what the view can show.
 
+const COLUMN = 2; // [px] of a minimum and maximum: half the strokes of one pixel, which look the same
 const plotsOnPage = new Map(); // by id of the element: { curves, pyramids, document, update }
 
 function readData(id) {
@@ -27,7 +28,7 @@ async function openPlot(id) {
     const range = made.get_model_by_name("x");
     const host = document.getElementById(id);
     const update = () => {
-      const columns = Math.max(Math.round(host.clientWidth || 800), 200);
+      const columns = Math.max(Math.round((host.clientWidth || 800) / COLUMN), 200);
       for (const [name, pyramid] of Object.entries(pyramids)) {
         const source = made.get_model_by_name(name);
         if (source) source.data = pyramidView(pyramid, range.start, range.end, columns);
@@ -37,7 +38,7 @@ async function openPlot(id) {
     const soon = () => {
       if (waits) return;
       waits = true;
-      requestAnimationFrame(() => { waits = false; update(); });
+      queueMicrotask(() => { waits = false; update(); }); // both ends of the range first, and before the plot is painted
     };
     range.properties.start.change.connect(soon);
     range.properties.end.change.connect(soon);

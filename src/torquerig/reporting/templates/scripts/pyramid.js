@@ -2,16 +2,17 @@
 // Curves with up to some million samples: minimum and maximum of blocks at several sizes, so that no view loses a peak.
 
 const FIRST_BLOCK = 4, NEXT_BLOCK = 4; // samples of the smallest block; blocks of each level in one of the next
-const DRAWN_AS_IS = 4; // samples a column of pixels up to which the samples themselves are drawn
+const DRAWN_AS_IS = 3; // samples a column of pixels up to which the samples themselves are drawn
 
 async function unpackCurve(curve) {
   const bytes = Uint8Array.from(atob(curve.packed), (one) => one.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-  const steps = new Uint16Array(await new Response(stream).arrayBuffer());
-  const values = new Float64Array(curve.samples);
+  const planes = new Uint8Array(await new Response(stream).arrayBuffer());
+  const values = new Float64Array(curve.samples), count = curve.samples;
   let code = 0;
-  for (let at = 0; at < values.length; at += 1) {
-    code = (code + steps[at]) & 0xffff;
+  for (let at = 0; at < count; at += 1) { // differences of either sign, low bytes first: see packed_curve.py
+    const signless = planes[at] | (planes[count + at] << 8);
+    code = (code + ((signless >>> 1) ^ -(signless & 1))) & 0xffff;
     const value = curve.low + code * curve.size;
     values[at] = curve.logarithmic ? 10 ** value : value;
   }
@@ -45,13 +46,13 @@ function makePyramid(curve) {
   return { curve, levels };
 }
 
-// The part from x `from` to x `to` as at most about 4 * columns points: each block gives its minimum and maximum.
+// The part from x `from` to x `to` as at most about 3 * columns points: each block gives its minimum and maximum.
 function pyramidView(pyramid, from, to, columns) {
   const { start, step, values } = pyramid.curve;
   const first = Math.max(Math.floor((from - start) / step) - 1, 0);
   const last = Math.min(Math.ceil((to - start) / step) + 1, values.length - 1);
   if (last < first) return { x: [], y: [] };
-  const fits = (one) => (last - first + 1) / one.block <= (one.block === 1 ? DRAWN_AS_IS : 2) * columns;
+  const fits = (one) => (last - first + 1) / one.block <= (one.block === 1 ? DRAWN_AS_IS : 1) * columns;
   const level = pyramid.levels.find(fits) || pyramid.levels[pyramid.levels.length - 1];
   const x = [], y = [];
   if (level.block === 1) {
