@@ -8,6 +8,8 @@ import shutil
 
 import pytest
 
+from torquerig.reporting.study.report import write_study_report
+
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 
 
@@ -53,8 +55,8 @@ class Opened:
     def js(self, expression, argument=None):
         return self.page.evaluate(expression, argument)
 
-    def unfold(self):
-        self.js("document.querySelectorAll('details').forEach((one) => { one.open = true; })")
+    def unfold(self, which="details"):
+        self.js("(which) => document.querySelectorAll(which).forEach((one) => { one.open = true; })", which)
         if self.js("typeof plotsOnPage !== 'undefined'"):
             self.page.wait_for_function(
                 "plotsOnPage.size === document.querySelectorAll('[data-plot]').length", timeout=20_000
@@ -73,3 +75,11 @@ def open_page(chromium):
     yield opening
     for one in opened:
         one.context.close()
+
+
+@pytest.fixture(scope="session")
+def study_file(runs, decided, answer, tmp_path_factory):
+    """The page of a study alone in a folder, as it is mailed."""
+    folder = tmp_path_factory.mktemp("mailed")
+    written = write_study_report(runs, decided, answer, folder / "report")[0]
+    return written.replace(folder / "study.html")

@@ -16,7 +16,6 @@ from torquerig.decide.matrix_analysis import analyse_matrix
 from torquerig.decide.matrix_io.matrix_file import read_matrix
 from torquerig.reporting.matrix.page import matrix_page
 from torquerig.reporting.moving.matrix_model import case_model, study_model
-from torquerig.reporting.study.report import write_study_report
 from torquerig.study.scoring import combinations, criteria_matrix, decide
 
 EXAMPLE = read_matrix(Path(__file__).resolve().parents[3] / "scenarios" / "matrix_example.yaml")
@@ -155,11 +154,6 @@ def _edited(runs, rng):
     requirements = {**settings.requirements, "continuous torque": torque}
     changed = settings.model_copy(update={"criteria": criteria, "requirements": requirements})
     return replace(runs, study=replace(runs.study, settings=changed))
-
-
-@pytest.fixture(scope="module")
-def study_file(runs, decided, answer, tmp_path_factory):
-    return write_study_report(runs, decided, answer, tmp_path_factory.mktemp("report") / "wear_rig")[0]
 
 
 def test_a_slider_ranks_anew_and_reset_goes_back(open_page, study_file, decided):

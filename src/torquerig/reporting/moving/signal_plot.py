@@ -7,10 +7,11 @@ from typing import Any
 from torquerig.metrics.truth_error import true_load
 from torquerig.recordings.recording import Recording
 from torquerig.reporting.figures.effort import effort_name, effort_unit
-from torquerig.reporting.moving.packed_curve import packed_curve
+from torquerig.reporting.moving.packed_curve import converter_step, packed_curve
 from torquerig.reporting.moving.plot_json import AFTER, BEFORE, LOAD, NOTHING_YET, finish_legend, new_plot, plot_json
 
 FIRST_VIEW = 0.3  # [s] some turns of the shaft; the whole recording is one click on reset away
+SHARE_OF_CODE = 0.25  # [1] of a converter step: resolution of curves computed from its codes, below their noise
 NAMES = {"before": "reading before the filter", "after": "reading after the filter", "load": "true load"}
 ERRORS = {"before": "error before the filter", "after": "error after the filter"}
 COLOURS = {"before": BEFORE, "after": AFTER, "load": LOAD}
@@ -29,6 +30,7 @@ def signal_plot(before: Recording, after: Recording, *, target: str, start: floa
     values = {"before": before.torque()}
     values |= {} if after is before else {"after": after.torque()}
     values |= {} if load is None else {"load": load}
+    finest = SHARE_OF_CODE * converter_step(before.torque())
     x_range = Range1d(name="x", start=start, end=min(start + FIRST_VIEW, before.duration),
                       bounds=(0.0, before.duration))  # fmt: skip
     upper = _plot([(name, NAMES[name], COLOURS[name]) for name in values], x_range,
@@ -41,7 +43,7 @@ def signal_plot(before: Recording, after: Recording, *, target: str, start: floa
         plots.append(lower)
     return {
         "item": plot_json(column(*plots, sizing_mode="stretch_width"), target),
-        "curves": {name: packed_curve(curve, start=0.0, step=step) for name, curve in values.items()},
+        "curves": {name: packed_curve(curve, start=0.0, step=step, coarsest=finest) for name, curve in values.items()},
         "differences": differences, "x": "time [s]", "unit": unit, "range": [0.0, before.duration],
     }  # fmt: skip
 

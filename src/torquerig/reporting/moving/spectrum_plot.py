@@ -20,6 +20,7 @@ from torquerig.reporting.moving.plot_json import AFTER, BEFORE, NOTHING_YET, fin
 
 CURVES = {"before": ("before the filter", BEFORE), "after": ("after the filter", AFTER)}
 LEAST = 1e-9  # smallest amplitude that is drawn, below any converter step
+MOST_BINS = 200_000  # of one spectrum: 0.3 MB of the page; a recording of 16 s at 25 kHz has them all
 RESOLUTION = 5e-4  # decades between two steps of a packed amplitude: 0.12 %
 DECADES = 5  # of the axis below the largest peak
 
@@ -37,13 +38,13 @@ def spectrum_plot(
     motor_speed : float
         [rad/s]
     highest : float
-        End of the first view [Hz]; the whole spectrum is one click on reset away.
+        End of the first view [Hz]; what the page holds beyond is one click on reset away.
     """
     from bokeh.models import Range1d
 
     recordings = {"before": before} if after is before else {"before": before, "after": after}
     spectra = {name: hann_spectrum(one.torque(), one.sample_rate) for name, one in recordings.items()}
-    frequency = spectra["before"][0]
+    frequency = spectra["before"][0][: _kept_bins(spectra["before"][0], highest)]
     peak = max(float(amplitude[1:].max()) for _, amplitude in spectra.values())
     top = 10.0 ** ceil(log10(max(peak, LEAST)))
     x_range = Range1d(name="x", start=0.0, end=min(highest, float(frequency[-1])), bounds=(0.0, float(frequency[-1])))
@@ -55,12 +56,18 @@ def spectrum_plot(
     return {
         "item": plot_json(plot, target),
         "curves": {
-            name: packed_curve(_logarithm(amplitude[1:]), start=step, step=step, coarsest=RESOLUTION)
+            name: packed_curve(_logarithm(amplitude[1 : frequency.size]), start=step, step=step, coarsest=RESOLUTION)
             | {"logarithmic": True}
             for name, (_, amplitude) in spectra.items()
         },
         "differences": {}, "x": "frequency [Hz]", "unit": effort_unit(before), "range": [0.0, float(frequency[-1])],
     }  # fmt: skip
+
+
+def _kept_bins(frequency: NDArray[np.float64], highest: float) -> int:
+    """Return how many bins the page holds: all, or of a very long recording those up to the end of the first view."""
+    first_view = int(np.searchsorted(frequency, highest, side="right"))
+    return min(frequency.size, max(MOST_BINS, first_view))
 
 
 def _logarithm(amplitude: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -22,6 +22,7 @@ from torquerig.study.trace import traced_drives
 from torquerig.study.verdict import Verdict
 from torquerig.study.what_if import Change
 
+MOST_SAMPLES = 500_000  # of the second recording of the page; longer ones have a fixed picture
 RANKED = 15  # combinations in the first table; combinations.csv has all
 
 
@@ -125,12 +126,19 @@ def _readings(runs: StudyRuns, decided: Decided, verdict: Verdict) -> Mapping[st
     for number, (drive, chain, role) in enumerate(listed, start=1):
         shown = pictures.filtered(drive, chain, runs)
         if shown is not None:
-            readings += pictures.reading_pictures(shown, role=role, number=number, with_signal=drive is not first.drive)
+            readings += pictures.reading_pictures(
+                shown, role=role, number=number, with_signal=drive is not first.drive, moves=_fits(shown)
+            )
     return {
         "readings": tuple(readings),
         "report_filter": pictures.report_filter(present, runs),
         "effects": tables.effects_table(present),
     }
+
+
+def _fits(shown: pictures.Filtered) -> bool:
+    """Return whether the page can hold the samples of a second recording and stay below 10 MB."""
+    return shown.before.samples <= MOST_SAMPLES
 
 
 def _matrices(decided: Decided, verdict: Verdict) -> Mapping[str, Any]:

@@ -113,8 +113,13 @@ def first_picture(shown: Filtered) -> Picture:
     )  # fmt: skip
 
 
-def reading_pictures(shown: Filtered, *, role: str, number: int, with_signal: bool) -> Iterator[Picture]:
-    """Yield time signal (where it is not the first picture) and spectrum of one drive, before and after its chain."""
+def reading_pictures(
+    shown: Filtered, *, role: str, number: int, with_signal: bool, moves: bool
+) -> Iterator[Picture]:  # fmt: skip
+    """Yield time signal (where it is not the first picture) and spectrum of one drive, before and after its chain.
+
+    The time signal is a plot to zoom where ``moves`` is true, else a fixed picture.
+    """
     name = f"{shown.drive.candidate.name}, {role}, filter {shown.chain.name}"
     after = shown.after if shown.chain.stages else shown.before
     start = min(1.0, shown.before.duration / 2)
@@ -123,7 +128,8 @@ def reading_pictures(shown: Filtered, *, role: str, number: int, with_signal: bo
         yield picture(
             signal_figure(shown.before, after, start=start), caption=f"{name}: 0.3 s of the reading",
             told="Torque over time before and after the filter, and the true load.",
-            name=signal, plot=signal_plot(shown.before, after, target=plot_name(signal), start=start),
+            name=signal,
+            plot=signal_plot(shown.before, after, target=plot_name(signal), start=start) if moves else None,
         )  # fmt: skip
     lines = [line for line in shown.kinematics.lines(4) if line.harmonic <= HARMONICS]
     spectrum, speed = f"spectrum_{number}", shown.motor_speed
