@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.rig_under_test import check_rig
+from torquerig.diagnosis.rig_under_test import check_rig, off_set_points
 from torquerig.diagnosis.sheet_ratio import at_ratio_of, off_ratios
 from torquerig.errors import InputError, RecordingError
 from torquerig.recordings.recording import Recording
@@ -63,3 +64,16 @@ def test_a_sheet_of_no_gear_of_the_rig_is_held_to_lines(
 def stating(ratio: float, by_hand: Callable[..., Observed]) -> list[Recording]:
     made = by_hand(NOISE, ANGLE).recording
     return [replace(made, run=replace(made.run, gear_ratio=ratio))]
+
+
+@pytest.mark.parametrize(("stated", "off"), [(-1000.0, 0), (1000.0, 0), (-1100.0, 1), (1100.0, 1)])
+def test_a_set_point_of_a_shaft_that_turns_backward_is_compared_by_its_size(stated: float, off: int) -> None:
+    run = SimpleNamespace(
+        name="run1", steady=True, angle_measured=True, origin="from the encoder", mean_speed=-1000.0 * np.pi / 30
+    )
+    recording = SimpleNamespace(run=SimpleNamespace(speed=stated * np.pi / 30))
+    found = list(off_set_points([recording], [run], error_max=0.01))  # type: ignore[list-item]
+    assert len(found) == off
+    for sentence, mismatch in found:
+        assert "states 1100 rpm, but the encoder shows 1000 rpm" in sentence
+        assert mismatch.width == pytest.approx(100.0)

@@ -23,6 +23,11 @@ def test_it_is_found_whatever_the_sheet_says(factor):
     assert found == pytest.approx(TRUE, rel=1e-3)
 
 
+def test_a_shaft_that_turns_backward_keeps_its_sign():
+    found = wide_speed_search(recording(1, size=0.2), RATE, set_point=-0.77 * TRUE, orders=ORDERS)
+    assert found == pytest.approx(-TRUE, rel=1e-3)
+
+
 @pytest.mark.parametrize("seed", range(8))
 def test_noise_has_no_speed(seed):
     assert wide_speed_search(recording(seed, size=0.0), RATE, set_point=TRUE, orders=ORDERS) is None

@@ -78,7 +78,7 @@ def off_set_points(
     scenario states [1]; 0 where it states none.
     """
     for recording, run in zip(recordings, runs, strict=True):
-        stated, real = recording.run.speed, abs(run.mean_speed)
+        stated, real = abs(recording.run.speed or 0.0), abs(run.mean_speed)
         # lines of the torque alone give the speed no better than SPEED_ERROR
         error = (error_max or SPEED_ERROR) if run.angle_measured else max(error_max, SPEED_ERROR)
         if not (run.steady and stated) or abs(real / stated - 1) <= TWO_SPEEDS * error:

@@ -32,7 +32,7 @@ def wide_speed_search(torque: Floats, rate: float, *, set_point: float, orders: 
     rate : float
         Samples per second [Hz].
     set_point : float
-        Stated motor speed [rad/s]; speeds from half of it to twice are tried.
+        Stated motor speed [rad/s], of either sign; speeds from half of it to twice are tried.
     orders : sequence of float
         Known orders of the motor.
 
@@ -48,7 +48,7 @@ def wide_speed_search(torque: Floats, rate: float, *, set_point: float, orders: 
     if not wanted.size:
         return None
     step = rate / torque.size
-    turns = set_point / (2 * np.pi)
+    turns = abs(set_point) / (2 * np.pi)
     fine = 0.25 * step / (wanted.max() * turns)
     factors = np.arange(_LOW, _HIGH, fine)
     score = np.zeros(factors.size)
