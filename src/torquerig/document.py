@@ -188,11 +188,11 @@ def _sentence(
     elif kind == "value_error":
         text = str(detail["ctx"]["error"])
     else:
-        text = _problem_text(kind, detail)
+        text = problem_text(kind, detail)
     return f"{document.place(keys)}: {text}"
 
 
-def _problem_text(kind: str, detail: Any) -> str:
+def problem_text(kind: str, detail: Any) -> str:
     """Return what is wrong with a value at a known key, and what to write."""
     written = detail.get("input")
     if kind in PLAIN_WORDS:

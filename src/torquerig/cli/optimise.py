@@ -50,6 +50,10 @@ class _Range(_PairType):
 )
 @click.option("--gearbox", "gearboxes", shell_complete=gearbox_names, multiple=True,
               help="Gearbox to try; repeatable. Default: those of the study.")  # fmt: skip
+@click.option("--ratio", type=_Range(), default=None,
+              help="Limits of a continuous ratio, of a gearbox scaled from the nearest one.")  # fmt: skip
+@click.option("--vary", "varied", multiple=True, metavar="FILTER.KEY=LOW..HIGH",
+              help="Number of a filter to vary, such as 'low_pass_20Hz.cutoff=5..60 Hz'; repeatable.")  # fmt: skip
 @click.option("--crossover", type=_Range(), default="5..60", show_default=True,
               help="Limits of the speed loop's crossover [Hz].")  # fmt: skip
 @click.option("--integral-corner", type=_Range(), default="0.3..5", show_default=True,
@@ -62,28 +66,33 @@ class _Range(_PairType):
 @catalog_option
 @json_option("optimise", reads=("scenario",))
 def command(
-    *, scenario: Path, motor: str | None, gearboxes: tuple[str, ...], crossover: tuple[float, float],
-    integral_corner: tuple[float, float], margin: float, evaluations: int, settings: tuple[str, ...],
-    catalogs: tuple[Path, ...],
+    *, scenario: Path, motor: str | None, gearboxes: tuple[str, ...], ratio: tuple[float, float] | None,
+    varied: tuple[str, ...], crossover: tuple[float, float], integral_corner: tuple[float, float], margin: float,
+    evaluations: int, settings: tuple[str, ...], catalogs: tuple[Path, ...],
 ) -> OptimiseResult:  # fmt: skip
     """Find the speed loop of least reading error for one motor on each gearbox, behind each filter of SCENARIO's study.
 
-    The table has the choices that no other beats in reading error, delay and price together.
+    The ratio and numbers of the filters may vary too. The table has the choices that no other beats in reading error,
+    delay and price together.
 
     Example: torquerig optimise scenarios/wear_rig.yaml --motor bldc-12n14p --set study.duration=2s
     """
     from torquerig.study.optimisation.bounds import Bounds
+    from torquerig.study.optimisation.scaled_gearbox import SCALED, ratio_bounds
     from torquerig.study.optimisation.search import optimised
     from torquerig.study.optimisation.tried import front
+    from torquerig.study.optimisation.varied_number import varied_number
 
     study = open_study(overridden(read_document(scenario), settings), catalog_for(scenario, catalogs))
     if gearboxes and not study.exchanged.stage:
         raise InputError(f"--gearbox {gearboxes[0]}: the study of {scenario.name} exchanges no stage")
     for box in gearboxes:
         refuse_pinned(box, study)
+    boxes = gearboxes or compared_gearboxes(study)
     bounds = Bounds(
-        gearboxes=gearboxes or compared_gearboxes(study), crossover=crossover,
-        integral_corner=integral_corner, margin=margin, evaluations=evaluations,
+        gearboxes=boxes, crossover=crossover, integral_corner=integral_corner, margin=margin, evaluations=evaluations,
+        numbers=tuple(varied_number(text, study) for text in varied),
+        ratio=None if ratio is None else ratio_bounds(study, *ratio, boxes),
     )  # fmt: skip
     name = motor or study.settings.present.motor
     with drive_progress(f"speed loops of {name}") as progress:
@@ -91,8 +100,8 @@ def command(
     best = front(found.tried)
     click.echo(wrapped(optimum_text(best, found.by_rule, unit=study.effort_unit)) + "\n")
     click.echo(front_text(best, unit=study.effort_unit))
-    note = "" if gearboxes else left_out_gearboxes(study)
-    if note:
+    notes = [note for note in ("" if gearboxes else left_out_gearboxes(study), SCALED if ratio else "") if note]
+    for note in notes:
         click.echo("\n" + wrapped(note))
     if found.left_out:
         listed = "; ".join(f"{one} ({why})" for one, why in found.left_out.items())
@@ -100,5 +109,5 @@ def command(
     sentence = optimum_text(best, found.by_rule, unit=study.effort_unit)
     return optimise_result(
         found, best, motor=name, seed=study.settings.seed, unit=study.effort_unit, sentence=sentence,
-        notes=[note] if note else [],
+        notes=notes,
     )  # fmt: skip

@@ -59,8 +59,13 @@ class Study:
         """The stages to be compared; the present one where the study lists none, empty where it exchanges none."""
         return self.settings.gearboxes or ((self.present_gearbox,) if self.present_gearbox else ())
 
-    def chains(self, scenario: Scenario) -> Mapping[str, Chain]:
+    def chains(self, scenario: Scenario, texts: Mapping[str, Stages] | None = None) -> Mapping[str, Chain]:
         """Return the study's filter chains and the present one, made for the kinematics of one scenario.
+
+        Parameters
+        ----------
+        texts : mapping of str to tuple of StageForm, optional
+            The stages of chains in place of those of the file, by chain.
 
         Raises
         ------
@@ -70,7 +75,7 @@ class Study:
         wanted = dict.fromkeys((*self.settings.filters.names, self.settings.present.filter))
         rate, is_needed = scenario.recording.sample_rate, needs_response(self.filters, wanted)
         response = load_response(scenario.rig, rate=rate) if is_needed else None
-        kinematics, stated = kinematics_of(scenario.rig), self._chain_texts
+        kinematics, stated = kinematics_of(scenario.rig), {**self.filter_texts, **(texts or {})}
         for name in wanted:
             if name not in stated:
                 key = ("filters", "names") if name in self.settings.filters.names else ("present", "filter")
@@ -81,7 +86,7 @@ class Study:
         return {name: made_chain(name, stated[name], kinematics=kinematics, response=response) for name in wanted}
 
     @cached_property
-    def _chain_texts(self) -> Mapping[str, Stages]:
+    def filter_texts(self) -> Mapping[str, Stages]:
         """The filter chains of the file, for any drive."""
         return chain_texts(self.filters)
 

@@ -73,7 +73,10 @@ class StudyResult:
 
 @dataclass(frozen=True)
 class TriedResult:
-    """A drive with a filter and a speed loop, and its figures; ``delay`` is null for a filter of whole recordings."""
+    """A drive with a filter and a speed loop, and its figures; ``delay`` is null for a filter of whole recordings.
+
+    ``settings`` has the numbers of the filter that were varied, as text with units.
+    """
 
     drive: str
     filter: str
@@ -83,6 +86,7 @@ class TriedResult:
     delay_s: float | Missing
     price: Quantity
     modulus_margin: float
+    settings: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -145,4 +149,5 @@ def _tried(one: Tried, unit: str) -> TriedResult:
         drive=one.drive, filter=one.filtering, crossover_Hz=one.crossover, integral_corner_Hz=one.integral_corner,
         reading_error=Quantity(one.error, unit), delay_s=known(one.delay, "the filter needs the whole recording"),
         price=Quantity(known(one.price, "a price is not known"), "EUR"), modulus_margin=one.margin,
+        settings=one.settings,
     )  # fmt: skip

@@ -1,10 +1,12 @@
-"""What an optimisation may vary: gearboxes by name, crossover and integral corner of the speed loop within limits."""
+"""What an optimisation may vary: gearboxes by name or by ratio, the speed loop and numbers of filters within limits."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 from torquerig.errors import InputError
+from torquerig.study.optimisation.scaled_gearbox import RatioBounds
+from torquerig.study.optimisation.varied_number import VariedNumber
 
 MARGIN = 0.5  # [1] modulus margin that is usually required (Maciejowski, Multivariable Feedback Design, section 1.3)
 
@@ -19,6 +21,10 @@ class Bounds:
         To be tried.
     crossover, integral_corner : (float, float)
         Lowest and highest of each [Hz].
+    numbers : tuple of VariedNumber
+        Of the filters.
+    ratio : RatioBounds or None
+        Limits of a continuous ratio in place of the gearboxes.
     margin : float
         Least distance of the loop gain from -1 [1].
     evaluations : int
@@ -33,10 +39,16 @@ class Bounds:
     gearboxes: tuple[str, ...]
     crossover: tuple[float, float]
     integral_corner: tuple[float, float]
+    numbers: tuple[VariedNumber, ...] = ()
+    ratio: RatioBounds | None = None
     margin: float = MARGIN
     evaluations: int = 160
 
     def __post_init__(self) -> None:
+        named = [(one.chain, one.stage, one.key) for one in self.numbers]
+        twice = next((one.name for one, name in zip(self.numbers, named, strict=True) if named.count(name) > 1), None)
+        if twice is not None:
+            raise InputError(f"--vary names {twice} twice; keep one")
         for name, (low, high) in (("crossover", self.crossover), ("integral corner", self.integral_corner)):
             if not 0 < low < high < float("inf"):
                 raise InputError(f"the {name} from {low:g} to {high:g} Hz is no range; write for example 5..60")

@@ -25,6 +25,8 @@ class Tried:
         Of all new parts [EUR]; None where it is unknown.
     margin : float
         Least distance of the loop gain from -1 [1].
+    settings : tuple of str
+        Numbers of the filter that were varied: ``cutoff 12.3 Hz``.
     """
 
     drive: str
@@ -35,6 +37,12 @@ class Tried:
     delay: float | None
     price: float | None
     margin: float
+    settings: tuple[str, ...] = ()
+
+    @property
+    def set_filter(self) -> str:
+        """The filter with the numbers that were varied: ``low_pass_20Hz (cutoff 12.3 Hz)``."""
+        return f"{self.filtering} ({', '.join(self.settings)})" if self.settings else self.filtering
 
     @property
     def figures(self) -> tuple[float, float, float]:
