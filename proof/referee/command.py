@@ -41,6 +41,8 @@ if TYPE_CHECKING:
 @click.option(
     "--engine", "engine", multiple=True, metavar="OPTION", help="Further option of torquerig diagnose; can be repeated."
 )
+@click.option("--label", default="", metavar="NAME",
+              help="Folder of the results within --out, so that several engines share the recordings.")  # fmt: skip
 @click.option(
     "--real",
     type=click.Path(path_type=Path),
@@ -50,7 +52,7 @@ if TYPE_CHECKING:
 )
 def command(
     *, seed: int, chosen: Sequence[str], quick: bool, out: Path, workers: int, limit: float, make_only: bool,
-    engine: Sequence[str], real: Path | None,
+    engine: Sequence[str], label: str, real: Path | None,
 ) -> None:  # fmt: skip
     """Draw rigs of the fleet, seal their answers, diagnose the recordings and count what is right."""
     from proof.referee.page import reason
@@ -59,7 +61,9 @@ def command(
 
     if real is not None and not real.is_dir():
         raise InputError(f"{real}: there is no such folder; --real needs a folder with one subfolder per bench")
-    plan = Round(selected(chosen, quick=quick), seed, out, workers=workers, limit=limit, engine=tuple(engine))
+    plan = Round(
+        selected(chosen, quick=quick), seed, out, workers=workers, limit=limit, engine=tuple(engine), label=label
+    )
     with ExitStack() as shown:
 
         def stage(name: str) -> Progress:
@@ -79,5 +83,5 @@ def command(
     if real is not None:
         from proof.referee.real_benches import real_lines
 
-        click.echo("\n".join(real_lines(real, out, limit=limit, engine=tuple(engine))))
+        click.echo("\n".join(real_lines(real, out, limit=limit, engine=tuple(engine), label=label)))
     click.echo(f"wrote {files.html}, {files.markdown} and {files.csv}", err=True)

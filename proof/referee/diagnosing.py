@@ -20,10 +20,21 @@ CHECKOUT = Path(__file__).resolve().parents[2]
 
 @dataclass(frozen=True)
 class DiagnoseJob:
-    """A case by its name, the folder of the round, the mechanism that is left out, and the time limit [s].
+    """A case that is to be diagnosed.
 
-    ``engine`` are further options of ``torquerig diagnose``, such as one that selects an engine; they belong to a
-    folder of results.
+    Parameters
+    ----------
+    name : str
+    out : Path
+        Folder of the round, with the recordings.
+    without : str
+        Mechanism whose file is removed, or empty.
+    limit : float
+        Time limit [s] on the clock.
+    engine : tuple of str
+        Further options of ``torquerig diagnose``, such as one that selects an engine.
+    label : str
+        Folder of the results within that of the round, so that several engines share the recordings.
     """
 
     name: str
@@ -31,6 +42,12 @@ class DiagnoseJob:
     without: str = ""
     limit: float = 600.0
     engine: tuple[str, ...] = ()
+    label: str = ""
+
+    @property
+    def results(self) -> Path:
+        """Folder of diagnoses, refusals and costs."""
+        return self.out / self.label
 
 
 def is_diagnosed(job: DiagnoseJob) -> bool:
@@ -53,7 +70,7 @@ def diagnosed(job: DiagnoseJob) -> str:
     started = time.perf_counter()
     code, said, worked = _called(words, {"PYTHONPATH": str(source / "src")}, limit=job.limit)
     cost = {"seconds": round(time.perf_counter() - started, 2), "processor_seconds": round(worked, 2), "exit": code}
-    _write(job.out / COSTS / f"{job.name}.json", json.dumps(cost))
+    _write(job.results / COSTS / f"{job.name}.json", json.dumps(cost))
     partial.with_suffix(".model.yaml").unlink(missing_ok=True)
     if code == 0 and partial.is_file():
         partial.replace(answer)
@@ -103,11 +120,11 @@ def _called(words: list[str], variables: dict[str, str], *, limit: float) -> tup
 
 
 def _answer(job: DiagnoseJob) -> Path:
-    return job.out / DIAGNOSES / f"{job.name}.json"
+    return job.results / DIAGNOSES / f"{job.name}.json"
 
 
 def _refusal(job: DiagnoseJob) -> Path:
-    return job.out / REFUSED / f"{job.name}.txt"
+    return job.results / REFUSED / f"{job.name}.txt"
 
 
 def _write(path: Path, text: str) -> None:

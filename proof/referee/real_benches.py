@@ -34,13 +34,13 @@ class Bench:
     known: str
 
 
-def real_lines(root: Path, out: Path, *, limit: float, engine: tuple[str, ...]) -> Iterator[str]:
+def real_lines(root: Path, out: Path, *, limit: float, engine: tuple[str, ...], label: str = "") -> Iterator[str]:
     """Diagnose every bench whose folder is there, and yield a line about each."""
     for bench in BENCHES:
         if not (root / bench.folder).is_dir():
             yield f"REAL {bench.name}: no folder {bench.folder}"
             continue
-        job = DiagnoseJob(f"real-{bench.name}", out, limit=limit, engine=engine)
+        job = DiagnoseJob(f"real-{bench.name}", out, limit=limit, engine=engine, label=label)
         if not is_diagnosed(job):
             _write(bench, root, out / RECORDINGS / job.name)
             diagnosed(job)
@@ -57,9 +57,9 @@ def _write(bench: Bench, root: Path, folder: Path) -> None:
 
 
 def _line(bench: Bench, job: DiagnoseJob) -> str:
-    said = job.out / DIAGNOSES / f"{job.name}.json"
+    said = job.results / DIAGNOSES / f"{job.name}.json"
     if not said.is_file():
-        why = (job.out / REFUSED / f"{job.name}.txt").read_text(encoding="utf-8").strip().splitlines()
+        why = (job.results / REFUSED / f"{job.name}.txt").read_text(encoding="utf-8").strip().splitlines()
         return f"REAL {bench.name}: no answer: {why[-1][:200] if why else ''}"
     claim = read_claim(said)
     names = [finding.name for finding in claim.findings]

@@ -41,6 +41,8 @@ class Round:
         Time limit of a diagnosis [s].
     engine : tuple of str
         Further options of ``torquerig diagnose``.
+    label : str
+        Folder of the results within ``out``; several engines share the recordings.
     """
 
     sets: dict[str, int]
@@ -49,14 +51,24 @@ class Round:
     workers: int = 1
     limit: float = 600.0
     engine: tuple[str, ...] = ()
+    label: str = ""
+
+    @property
+    def results(self) -> Path:
+        """Folder of diagnoses and page."""
+        return self.out / self.label
+
+    @property
+    def cases(self) -> str:
+        """Command that makes the cases, without folders of this machine."""
+        words = [f"--set {name}:{count}" for name, count in self.sets.items()]
+        return " ".join(["python -m proof fleet", f"--seed {self.seed}", *words])
 
     @property
     def command(self) -> str:
         """Command that repeats the round, without folders of this machine."""
-        words = [f"--set {name}:{count}" for name, count in self.sets.items()]
-        return " ".join(
-            ["python -m proof fleet", f"--seed {self.seed}", *words, *(f"--engine={one}" for one in self.engine)]
-        )
+        label = [f"--label {self.label}"] if self.label else []
+        return " ".join([self.cases, *label, *(f"--engine={one}" for one in self.engine)])
 
     def jobs(self) -> list[MakeJob]:
         """Return one job for every case, the sets in turn, so that what is done early is a sample of all."""
@@ -105,7 +117,7 @@ def make(plan: Round, *, stage: Stage) -> str:
     digest = hashlib.sha256(json.dumps(answers, sort_keys=True).encode()).hexdigest()
     path = plan.out / SEAL
     kept = dict(line.split() for line in path.read_text(encoding="ascii").splitlines()) if path.is_file() else {}
-    key = hashlib.sha256(plan.command.encode()).hexdigest()[:12]
+    key = hashlib.sha256(plan.cases.encode()).hexdigest()[:12]
     if kept.get(key, digest) != digest:
         raise ProofError(f"{path}: the answers changed after they were sealed; choose another --out")
     if key not in kept:
@@ -117,7 +129,7 @@ def make(plan: Round, *, stage: Stage) -> str:
 def diagnose_all(plan: Round, *, stage: Stage) -> None:
     """Diagnose what no earlier call has diagnosed."""
     jobs = [
-        DiagnoseJob(name, plan.out, answer["without"], plan.limit, plan.engine)
+        DiagnoseJob(name, plan.out, answer["without"], plan.limit, plan.engine, plan.label)
         for name, answer in answers_of(plan).items()
     ]
     missing = [job for job in jobs if not is_diagnosed(job)]
@@ -126,7 +138,7 @@ def diagnose_all(plan: Round, *, stage: Stage) -> None:
 
 def verdicts_of(plan: Round) -> list[Verdict]:
     """Return the verdict of every case of a round, those without a diagnosis with their reason."""
-    return [_verdict(plan.out, name, answer) for name, answer in answers_of(plan).items()]
+    return [_verdict(plan.results, name, answer) for name, answer in answers_of(plan).items()]
 
 
 def answers_of(plan: Round) -> dict[str, Any]:
@@ -138,7 +150,8 @@ def answers_of(plan: Round) -> dict[str, Any]:
 def written(plan: Round, seal: str) -> tuple[list[Verdict], Written]:
     """Judge a round and write its page."""
     verdicts = verdicts_of(plan)
-    return verdicts, write_page(plan.out, verdicts, command=plan.command, seal=seal)
+    plan.results.mkdir(parents=True, exist_ok=True)
+    return verdicts, write_page(plan.results, verdicts, command=plan.command, seal=seal)
 
 
 def selected(chosen: Sequence[str], *, quick: bool) -> dict[str, int]:
@@ -164,7 +177,7 @@ def selected(chosen: Sequence[str], *, quick: bool) -> dict[str, int]:
     return answer
 
 
-def _verdict(out: Path, name: str, answer: dict[str, Any]) -> Verdict:
-    said, refusal = out / DIAGNOSES / f"{name}.json", out / REFUSED / f"{name}.txt"
+def _verdict(results: Path, name: str, answer: dict[str, Any]) -> Verdict:
+    said, refusal = results / DIAGNOSES / f"{name}.json", results / REFUSED / f"{name}.txt"
     why_not = refusal.read_text(encoding="utf-8") if refusal.is_file() else "not diagnosed yet"
     return judged(name, answer, read_claim(said) if said.is_file() else None, why_not="" if said.is_file() else why_not)

@@ -203,6 +203,21 @@ def test_a_diagnosis_that_is_refused_keeps_its_sentence(tmp_path):
     assert json.loads((tmp_path / "costs" / "broken.json").read_text())["exit"] == 2
 
 
+def test_engines_share_recordings_and_keep_their_results_apart(tmp_path):
+    first, second = (
+        Round({"CLEAN": 1}, 7004, tmp_path),
+        Round({"CLEAN": 1}, 7004, tmp_path, label="second", engine=("-x",)),
+    )
+    assert make(first, stage=quiet) == make(second, stage=quiet)
+    (name,) = [job.marker.read_text().strip() for job in second.jobs()]
+    (tmp_path / "second" / "diagnoses").mkdir(parents=True)
+    said = json.dumps({"verdict": "adequate", "findings": [], "fit": {}})
+    (tmp_path / "second" / "diagnoses" / f"{name}.json").write_text(said)
+    assert [one.exact for one in verdicts_of(second)] == [True]
+    assert [one.exact for one in verdicts_of(first)] == [False]
+    assert second.command == "python -m proof fleet --seed 7004 --set CLEAN:1 --label second --engine=-x"
+
+
 def test_a_diagnosis_beyond_its_limit_is_stopped(tmp_path):
     job = DiagnoseJob("slow", tmp_path, limit=0.05)
     (tmp_path / "recordings" / "slow").mkdir(parents=True)
