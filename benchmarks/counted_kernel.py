@@ -104,9 +104,9 @@ def here() -> dict[str, float]:
     state = [counted_arrays(one) for one in (theta, omega, run.terms)]
     work = counted_arrays(work_for(run.terms))
     given = (state[0], state[1], state[2], outputs, span.rate, 0, run.steps, kept, work)
-    advance(*given, 0, BEFORE)
+    advance(*given, 0, BEFORE, 0)
     TALLY.clear()
-    advance(*given, BEFORE, BEFORE + SAMPLES)
+    advance(*given, BEFORE, BEFORE + SAMPLES, 0)
     return {
         **{kind: count / SAMPLES for kind, count in TALLY.items()},
         "steps": run.steps, "outputs": float(outputs.kind.size), "loads": float(len(run.terms.loads.on)),
