@@ -1,7 +1,7 @@
 "use strict";
-// Curves with up to some million samples: minimum and maximum of blocks at several sizes, so that no view loses a peak.
+// Curves with up to some million samples: lowest and highest sample of blocks of several sizes, so that no view loses a peak.
 
-const FIRST_BLOCK = 4, NEXT_BLOCK = 4; // samples of the smallest block; blocks of each level in one of the next
+const FIRST_BLOCK = 4, NEXT_BLOCK = 2; // samples of the smallest block; blocks of each level in one of the next
 const DRAWN_AS_IS = 3; // samples a column of pixels up to which the samples themselves are drawn
 
 async function unpackCurve(curve) {
@@ -19,51 +19,46 @@ async function unpackCurve(curve) {
   return { values, start: curve.start, step: curve.step };
 }
 
-function merged(low, high, size) {
-  const count = Math.ceil(low.length / size);
-  const least = new Float64Array(count), most = new Float64Array(count);
+// Blocks of `size` blocks of a level: the samples with the lowest and the highest value, by their index.
+function merged(values, level, size) {
+  const count = Math.ceil(level.lowAt.length / size);
+  const lowAt = new Uint32Array(count), highAt = new Uint32Array(count);
   for (let block = 0, at = 0; block < count; block += 1) {
-    const end = Math.min(at + size, low.length);
-    let minimum = low[at], maximum = high[at];
+    const end = Math.min(at + size, level.lowAt.length);
+    let low = level.lowAt[at], high = level.highAt[at];
     for (at += 1; at < end; at += 1) {
-      if (low[at] < minimum) minimum = low[at];
-      if (high[at] > maximum) maximum = high[at];
+      if (values[level.lowAt[at]] < values[low]) low = level.lowAt[at];
+      if (values[level.highAt[at]] > values[high]) high = level.highAt[at];
     }
-    least[block] = minimum;
-    most[block] = maximum;
+    lowAt[block] = low;
+    highAt[block] = high;
   }
-  return { low: least, high: most };
+  return { block: level.block * size, lowAt, highAt };
 }
 
 function makePyramid(curve) {
-  const levels = [{ block: 1, low: curve.values, high: curve.values }];
+  const all = Uint32Array.from(curve.values, (_, at) => at), levels = [{ block: 1, lowAt: all, highAt: all }];
   let size = FIRST_BLOCK;
-  while (levels[levels.length - 1].low.length > 2 * size) {
-    const last = levels[levels.length - 1];
-    levels.push({ block: last.block * size, ...merged(last.low, last.high, size) });
+  while (levels[levels.length - 1].lowAt.length > 2 * size) {
+    levels.push(merged(curve.values, levels[levels.length - 1], size));
     size = NEXT_BLOCK;
   }
   return { curve, levels };
 }
 
-// The part from x `from` to x `to` as at most about 3 * columns points: each block gives its minimum and maximum.
+// The part from x `from` to x `to` as at most about 3 * columns points: of each block its lowest and its highest sample.
 function pyramidView(pyramid, from, to, columns) {
-  const { start, step, values } = pyramid.curve;
+  const { start, step, values } = pyramid.curve, x = [], y = [];
   const first = Math.max(Math.floor((from - start) / step) - 1, 0);
   const last = Math.min(Math.ceil((to - start) / step) + 1, values.length - 1);
-  if (last < first) return { x: [], y: [] };
+  if (last < first) return { x, y };
   const fits = (one) => (last - first + 1) / one.block <= (one.block === 1 ? DRAWN_AS_IS : 1) * columns;
   const level = pyramid.levels.find(fits) || pyramid.levels[pyramid.levels.length - 1];
-  const x = [], y = [];
-  if (level.block === 1) {
-    for (let at = first; at <= last; at += 1) { x.push(start + at * step); y.push(values[at]); }
-    return { x, y };
-  }
+  const add = (at) => { x.push(start + at * step); y.push(values[at]); };
   for (let block = Math.floor(first / level.block); block <= Math.floor(last / level.block); block += 1) {
-    const end = Math.min((block + 1) * level.block, values.length) - 1;
-    const middle = start + step * (block * level.block + end) / 2;
-    x.push(middle, middle);
-    y.push(level.low[block], level.high[block]);
+    const low = level.lowAt[block], high = level.highAt[block];
+    add(Math.min(low, high));
+    if (low !== high) add(Math.max(low, high));
   }
   return { x, y };
 }
