@@ -30,7 +30,7 @@ def test_what_is_missing_how_large_how_sure_and_what_next_in_this_order():
         "How sure: 97 % for gear mesh.",
         "Next: check the named part on the rig, and continue with the completed scenario.",
     )
-    assert [one.value for one in answer.figures] == ["0.12 N m", "97 %", "4 to 0.9"]
+    assert [one.value for one in answer.figures] == ["0.123 N m", "97 %", "4 to 0.9"]
 
 
 @pytest.mark.parametrize("verdict", ["adequate", "unexplained"])

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from math import pi
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -80,6 +81,25 @@ def test_the_page_needs_nothing_from_elsewhere(page: str) -> None:
     assert "@import" not in page
     assert "url(" not in page
     assert page.count('<img src="data:image/svg+xml;base64,') == 5
+
+
+def test_in_a_browser_the_page_is_whole_and_axe_finds_no_serious_fault(
+    page: str, tmp_path: Path, open_page: Callable[..., Any]
+) -> None:
+    file = tmp_path / "diagnosis.html"
+    file.write_text(page, encoding="utf-8")
+    shown = open_page(file, width=390)
+    shown.unfold()
+    assert shown.requests == [file.as_uri()]
+    assert shown.errors == []
+    assert shown.js("document.documentElement.scrollWidth") <= 390
+    from axe_playwright_python.sync_playwright import Axe  # open_page skips where it is not installed
+
+    found = Axe().run(shown.page).response["violations"]
+    assert [one["id"] for one in found if one["impact"] in ("serious", "critical")] == []
+    sentences = shown.js("[...document.querySelectorAll('.answer p')].map((one) => one.innerText)")
+    assert sentences[0] == "The model lacks gear mesh."
+    assert max(len(one.split()) for text in sentences for one in text.split(". ")) <= 25
 
 
 def test_the_page_says_what_the_diagnosis_says(page: str, outcome: Outcome) -> None:

@@ -108,7 +108,7 @@ def _next(data: Mapping[str, Any]) -> tuple[str, ...]:
 def _size_figure(data: Mapping[str, Any], effect: EffectAtSensor | None) -> LargeFigure:
     name = "change of the reading"
     if effect is not None:
-        return LargeFigure(name=name, value=f"{effect.rms:.2g} {effect.unit.replace('*', ' ')}", note="rms")
+        return LargeFigure(name=name, value=f"{effect.rms:.3g} {effect.unit.replace('*', ' ')}", note="rms")
     if data["findings"]:
         return LargeFigure(name=name, value="not computed", note="the command computes it for its report")
     return LargeFigure(name=name, value="none", note="no finding changes the reading")
