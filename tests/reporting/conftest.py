@@ -152,7 +152,7 @@ def chromium():
     if found is None:
         _missing("no Chromium in PATH: apt-get install chromium")
     with sync_playwright() as started:
-        browser = started.chromium.launch(executable_path=found, args=["--no-sandbox"])
+        browser = started.chromium.launch(executable_path=found, args=["--no-sandbox", "--disable-dev-shm-usage"])
         yield browser
         browser.close()
 

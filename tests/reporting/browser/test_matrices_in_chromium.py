@@ -62,7 +62,7 @@ def _criterion(rng, at):
         name=f"c{at}", better=better, band=(3.0, 6.0) if better is Better.BAND else None,
         weight=0.0 if at and rng.random() < 0.2 else float(rng.uniform(0.1, 1)),
         kind=Kind(rng.choice(["technical", "economic"])),
-        indifference=Indifference(absolute=float(rng.choice([0, 0.5])), relative=float(rng.choice([0, 0.1]))),
+        indifference=Indifference(absolute=float(rng.choice([0, 0.5])), relative=float(rng.choice([0, 0.1, 0.4]))),
         value=ValueFunction(tuple(zip(np.sort(rng.uniform(0, 10, 4)).tolist(), points.tolist(), strict=True))),
         requirement=limit if rng.random() < 0.6 else None,
     )  # fmt: skip
