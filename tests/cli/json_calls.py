@@ -33,6 +33,7 @@ QUICK: dict[str, tuple[str, ...]] = {
     "catalog-new": ("catalog", "new", "motor.yaml"),
     "catalog-show": ("catalog", "show", "bldc-12n14p"),
     "diagnose-check": ("diagnose", "run.parquet", "--scenario", WEAR_RIG, "--check"),
+    "differ": ("differ", "run.parquet", "run.parquet"),
     "duty": ("duty", WEAR_RIG),
     "filter": ("filter", "run.parquet"),
     "info": ("info", "run.parquet"),

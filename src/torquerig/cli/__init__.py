@@ -1,7 +1,7 @@
 """The command line: one command per file, each imported only when it is called.
 
-init  catalog  orders  ordermap  modes  simulate  duty  size  synth  info  sheet  join  filter  matrix  diagnose  batch
-schema  completion  reference-results  reference-decision  study  optimise  compare
+init  catalog  orders  ordermap  modes  simulate  duty  size  synth  info  sheet  join  filter  matrix  diagnose  differ
+batch  schema  completion  reference-results  reference-decision  study  optimise  compare
 """
 
 from __future__ import annotations
@@ -32,6 +32,7 @@ COMMANDS = {
     "filter": "apply filter chains to a recording and show their effect",
     "matrix": "compute elimination, Pugh and Kesselring matrices and check them for errors",
     "diagnose": "find physics that recordings show and the model of the rig lacks",
+    "differ": "find what changed between two recordings of one rig",
     "batch": "run filter, ordermap or info on every recording of a folder",
     "schema": "print the JSON Schema of a file, for editors and other programs",
     "completion": "print the script with which a shell completes commands, names and files",

@@ -17,6 +17,7 @@ RESULTS: Mapping[str, str] = {
     "compare": "compare:CompareResult",
     "compare-points": "compare:ComparePointsResult",
     "diagnose-check": "diagnosis:DiagnoseCheckResult",
+    "differ": "differ:DifferResult",
     "duty": "sizing:DutyResult",
     "filter": "filter:FilterResult",
     "info": "info:InfoResult",
