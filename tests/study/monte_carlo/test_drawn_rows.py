@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pickle
+import shutil
 from functools import cache
 from pathlib import Path
 
@@ -100,3 +102,20 @@ def test_what_is_drawn_of_each_drive_is_known_before() -> None:
     assert "HDS6A-0104A.rotor_inertia" in names
     assert not any(name.startswith("bldc") for name in names)
     assert len(set(names)) == len(names)
+
+
+@pytest.mark.long
+def test_a_worker_needs_no_file_and_sees_no_change_of_one(tmp_path: Path) -> None:
+    """What is kept of a drive comes from the files as the study read them, here and in a process that unpickles it."""
+    copied = tmp_path / "shipped"
+    shutil.copytree(shipped_folder(), copied / "catalogs")
+    shutil.copytree(shipped_folder().parent / "scenarios", copied / "scenarios")
+    document = overridden(read_document(copied / "scenarios" / "wear_rig.yaml"), SMALL)
+    drawn = drawn_study(open_study(document, load_catalog(copied / "catalogs")))
+    cases = cases_of_draws(drawn, 2)
+    first = drawn_rows(drawn, cases)
+    sent = pickle.dumps(drawn)
+    shutil.rmtree(copied)
+    assert drawn_rows(drawn, cases) == first
+    assert drawn_rows(pickle.loads(sent), cases) == first
+    assert drawn_rows(drawn_study(study()), cases) == first
