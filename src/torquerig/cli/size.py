@@ -11,6 +11,7 @@ from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option, edited, profile_option, profile_settings, set_option
 from torquerig.cli.completions import gearbox_names, motor_names
 from torquerig.cli.json_option import json_option
+from torquerig.cli.progress import drive_progress
 from torquerig.document import Document
 from torquerig.errors import InputError
 from torquerig.metrics.sizing.drive_sizing import Sizing, sizing
@@ -168,13 +169,16 @@ def _print_all(study: Study, *, ambient: float) -> SizeResult:
     from torquerig.study.sized_candidates import sized_candidate
 
     found: dict[Candidate, Sizing | str] = {}
-    for one in candidates(study):
-        drive = sized_candidate(one, study)
-        if drive.requirement().top_speed > drive.motor.max_speed.bounds[1]:
-            found[one] = (f"needs {drive.requirement().top_speed * 9.5493:.0f} rpm, reaches at most "
-                          f"{drive.motor.max_speed.bounds[1] * 9.5493:.0f} rpm")  # fmt: skip
-            continue
-        found[one] = sizing(drive, ambient=ambient, names=IN_TABLE)
+    every = list(candidates(study))
+    with drive_progress("sizing") as progress:
+        for one in every:
+            drive = sized_candidate(one, study)
+            needed, most = drive.requirement().top_speed, drive.motor.max_speed.bounds[1]
+            if needed > most:
+                found[one] = f"needs {needed * 9.5493:.0f} rpm, reaches at most {most * 9.5493:.0f} rpm"
+            else:
+                found[one] = sizing(drive, ambient=ambient, names=IN_TABLE)
+            progress(len(found), len(every), one.name)
     click.echo(all_text(found))
     return SizeResult(ambient, all_sized(found), {}, ())
 

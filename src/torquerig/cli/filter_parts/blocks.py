@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from math import ceil
 from pathlib import Path
 
 import click
 import numpy as np
 
+from torquerig.cli.progress import drive_progress
 from torquerig.errors import RecordingError
 from torquerig.filters.block_filtering import FilteredBlock, blocking_for, filtered_blocks
 from torquerig.filters.chains.filter_chain import Chain
@@ -61,12 +63,26 @@ def filter_long(
     collected = _BlockResults()
     blocks = collected.collecting(filtered_blocks(chains, stream, blocking, ratio=ratio), stream)
     written: Sequence[Path] = ()
-    if out is not None:
-        written = write_blocks((block.after[0] for block in blocks), out, overwrite=force)
-        click.echo(f"wrote {' and '.join(str(path) for path in written)}")
-    for _ in blocks:
-        pass
+    with drive_progress(f"filter {stream.path.name}") as progress:
+        shown = _showing(blocks, stream, progress)
+        if out is not None:
+            written = write_blocks((block.after[0] for block in shown), out, overwrite=force)
+            click.echo(f"wrote {' and '.join(str(path) for path in written)}")
+        for _ in shown:
+            pass
     return replace(collected.result(), written=written)
+
+
+def _showing(
+    blocks: Iterator[FilteredBlock], stream: RecordingStream, progress: Callable[[int, int, str], None]
+) -> Iterator[FilteredBlock]:
+    """Yield the blocks and show how many seconds of the recording are done, where its length is known."""
+    total = None if stream.samples is None else ceil(stream.samples / stream.sample_rate)
+    for block in blocks:
+        yield block
+        if total is not None:
+            done = (block.first + block.before.samples) / stream.sample_rate
+            progress(min(round(done), total), total, "s of the recording")
 
 
 class _BlockResults:
