@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from torquerig.reporting.json_results.provenance import Provenance
 
 STANDARD_OUTPUT = "-"
+_OF_TIME_ALONE = ("workers", "cluster")
 _WANTED: ContextVar[bool] = ContextVar("wants_json", default=False)
 
 
@@ -118,11 +119,15 @@ class JsonCall:
 
 
 def stated_options(context: click.Context, *, without: Sequence[str]) -> dict[str, Any]:
-    """Return the options and arguments that the command line states, by their names; of a path its name alone."""
+    """Return the options and arguments that the command line states, by their names; of a path its name alone.
+
+    Options that change the time alone are left out: the result does not depend on them.
+    """
     found = {}
     for one in context.command.params:
         name = str(one.name)
-        if name in without or context.get_parameter_source(name) is not click.core.ParameterSource.COMMANDLINE:
+        stated = context.get_parameter_source(name) is click.core.ParameterSource.COMMANDLINE
+        if not stated or name in (*without, *_OF_TIME_ALONE):
             continue
         spoken = one.opts[-1].lstrip("-") if isinstance(one, click.Option) else name
         found[spoken] = _plain_option(context.params[name])
