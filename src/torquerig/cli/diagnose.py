@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import shlex
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -25,8 +25,10 @@ from torquerig.whole_file import whole_file
 if TYPE_CHECKING:
     from torquerig.diagnosis.engine import Outcome
     from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
+    from torquerig.inference.engine import Outcome as LikelihoodOutcome
     from torquerig.recordings.recording import Recording
     from torquerig.rig.assembly import Rig
+    from torquerig.scenario.model import Scenario
 
 _PAGE = "<!-- written by torquerig diagnose -->"
 _MOST_WORKERS = 4  # unless --workers states another number: each process takes some 200 MB
@@ -54,11 +56,18 @@ _HEAD = f"{_MARK}: the nominal rig with fitted parameters and the findings."
     default=None,
     help="Fits to run in parallel; default: one per core, at most four.",
 )
+@click.option(
+    "--engine",
+    type=click.Choice(["rules", "likelihood"]),
+    default="rules",
+    show_default=True,
+    help="How hypotheses are compared; likelihood is under development (docs/known-limits.md).",
+)
 @set_option
 @catalog_option
 def command(
     *, recordings: tuple[Path, ...], scenario: Path, out: str | None, report: Path | None, model: Path | None,
-    check: bool, seed: int, workers: int | None, settings: tuple[str, ...], catalogs: tuple[Path, ...],
+    check: bool, seed: int, workers: int | None, engine: str, settings: tuple[str, ...], catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Find which physics the SCENARIO lacks, given RECORDINGS of one rig.
 
@@ -72,11 +81,13 @@ def command(
     if check:
         _check(recordings, scenario, settings, catalogs, seed=seed, out=out)
         return
+    if engine == "likelihood" and report is not None:
+        raise click.UsageError("--engine likelihood writes no page yet; leave out --report, or --engine.")
+    from torquerig.cli.diagnose_likelihood import answer_lines_of
     from torquerig.cli.progress import stages
-    from torquerig.diagnosis.any_rig import diagnosed
-    from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
-    from torquerig.diagnosis.outcome import SCHEMA, as_json
+    from torquerig.diagnosis.outcome import SCHEMA
     from torquerig.diagnosis.side_by_side import side_by_side
+    from torquerig.inference.engine import Outcome as LikelihoodOutcome
 
     target = model or _model_of(out)
     written = [(target, _MARK)] if target else []
@@ -86,8 +97,7 @@ def command(
     made = read_scenario(edited(scenario, settings), catalog_for(scenario, catalogs), seed=seed)
     read = _read(recordings)
     with stages("diagnose") as progress, side_by_side(workers or min(os.cpu_count() or 1, _MOST_WORKERS)):
-        outcome = diagnosed(made, read, seed=seed, progress=progress)
-    data = outcome.as_json() if isinstance(outcome, MotionOutcome) else as_json(outcome.diagnosis)
+        outcome, data = _ENGINES[engine](made, read, seed, progress)
     data["provenance"] = _provenance((*recordings, *map(sidecar_path, recordings), scenario), scenario, catalogs, seed)
     if outcome.completes and target is not None:
         text = scenario_text(
@@ -96,7 +106,7 @@ def command(
         )  # fmt: skip
         write_scenario(target, text, overwrite=True)
         data["model"] = str(target)
-    if report is not None:
+    if report is not None and not isinstance(outcome, LikelihoodOutcome):
         again = _command(recordings, scenario, settings=settings, seed=seed)
         page = _page(outcome, title=made.title, command=again, model=_named(data["model"]), seed=seed, nominal=made.rig)
         with whole_file(report) as partial:
@@ -104,12 +114,39 @@ def command(
     if out == "-":
         click.echo(json_text(data), nl=False)
         return
-    click.echo("\n".join(_answer(outcome, data, made.rig, seed=seed)))
+    is_new = isinstance(outcome, LikelihoodOutcome)
+    click.echo("\n".join(answer_lines_of(data) if is_new else _answer(outcome, data, made.rig, seed=seed)))
     if out is not None:
         write_json(json_text(data), out)
     for path in (report, data["model"]):
         if path is not None:
             click.echo(f"wrote {path}")
+
+
+def _by_rules(
+    scenario: Scenario, recordings: Sequence[Recording], seed: int, progress: Callable[[str], None]
+) -> tuple[Outcome | MotionOutcome, dict[str, Any]]:
+    """Return the outcome and its JSON by the first engine."""
+    from torquerig.diagnosis.any_rig import diagnosed
+    from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
+    from torquerig.diagnosis.outcome import as_json
+
+    outcome = diagnosed(scenario, recordings, seed=seed, progress=progress)
+    return outcome, outcome.as_json() if isinstance(outcome, MotionOutcome) else as_json(outcome.diagnosis)
+
+
+def _by_likelihood(
+    scenario: Scenario, recordings: Sequence[Recording], _: int, progress: Callable[[str], None]
+) -> tuple[LikelihoodOutcome, dict[str, Any]]:
+    """Return the same by the second engine, which draws no random numbers."""
+    from torquerig.cli.diagnose_likelihood import diagnosed_by_likelihood
+    from torquerig.inference.answer import as_json
+
+    outcome = diagnosed_by_likelihood(scenario, recordings, progress=progress)
+    return outcome, as_json(outcome)
+
+
+_ENGINES: Mapping[str, Callable[..., tuple[Any, dict[str, Any]]]] = {"rules": _by_rules, "likelihood": _by_likelihood}
 
 
 def _model_of(out: str | None) -> Path | None:

@@ -1,0 +1,96 @@
+"""One hypothesis: parts that may complete a model, or numbers of it that may be far off, with what is known before."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from torquerig.diagnosis.fitting.knobs import Knob
+from torquerig.diagnosis.looking.places import Place
+from torquerig.rig.assembly import Part, Rig
+
+DECADE = float(np.log(10.0))  # standard deviation of the logarithm of an amplitude that nobody knows
+
+
+@dataclass(frozen=True)
+class Reported:
+    """A parameter as the contract names it: which field of the part it is, in which unit."""
+
+    name: str
+    field: str
+    unit: str
+    key: int | float | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Addition:
+    """One hypothesis.
+
+    Parameters
+    ----------
+    mechanism : str
+        Class name of the contract; empty for a nameless effect and for a number of the rig.
+    kind : str
+        Of a nameless effect ``line_family``, ``tone`` or ``resonance``; of a number of the rig ``parameter``.
+    parts : tuple of Part
+        At the medians of their priors.
+    knobs : tuple of Knob
+        Parameters of the parts, or of the rig, whose own parameters they then replace.
+    starts : tuple of tuple of float
+        Where a fit of the parameters may begin, in standard deviations of their priors.
+    log_odds : float
+        Logarithm of the prior probability of this effect at this place [nats].
+    places : tuple of Place
+        Lines that it explains.
+    label : str
+        What it is, in words.
+    reported : tuple of Reported
+        Fitted parameters for the report.
+    fixed : mapping of str to (float, float, str)
+        Parameters that the hypothesis holds, with half the width of their 95 % interval and their unit: an order, a
+        frequency.
+    """
+
+    mechanism: str = ""
+    kind: str = ""
+    parts: tuple[Part, ...] = ()
+    knobs: tuple[Knob, ...] = ()
+    starts: tuple[tuple[float, ...], ...] = ()
+    log_odds: float = 0.0
+    places: tuple[Place, ...] = ()
+    label: str = ""
+    reported: tuple[Reported, ...] = ()
+    fixed: Mapping[str, tuple[float, float, str]] = field(default_factory=dict)
+
+    def added_to(self, rig: Rig) -> Rig:
+        """Return the rig with the parts."""
+        for part in self.parts:
+            rig = rig + part
+        return rig
+
+    @property
+    def names(self) -> frozenset[str]:
+        """The parts or parameters that it adds; two additions that share one exclude each other."""
+        return frozenset(part.name for part in self.parts) or frozenset(knob.name for knob in self.knobs)
+
+    @property
+    def is_named(self) -> bool:
+        """Whether it is a mechanism of the library."""
+        return bool(self.mechanism)
+
+
+def start_of(value: float, median: float, spread: float = DECADE) -> float:
+    """Return the position of a value on a log-normal prior, within three standard deviations."""
+    if value <= 0 or median <= 0:
+        return -1.0
+    return float(np.clip(np.log(value / median) / spread, -3.0, 3.0))
+
+
+def free_name(rig: Rig, wanted: str) -> str:
+    """Return ``wanted``, with a number where a part of the rig has that name."""
+    names, name, number = {part.name for part in rig.parts}, wanted, 2
+    while name in names:
+        name, number = f"{wanted}_{number}", number + 1
+    return name

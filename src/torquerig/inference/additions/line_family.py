@@ -1,0 +1,43 @@
+"""A nameless line and its multiples: a torque of constant amplitude on one of the shafts, whatever its cause."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from torquerig import mechanisms
+from torquerig.diagnosis.fitting.knobs import Knob
+from torquerig.diagnosis.looking.places import Place
+from torquerig.inference.addition import DECADE, Addition, free_name
+from torquerig.inference.context import Context, harmonics
+from torquerig.inference.shafts import Shaft, whole_order
+
+_WHOLE, _ANY = -6.0, -9.0  # log-odds of a line at a whole order of a shaft, and anywhere on the search grid
+_HARMONICS = 6
+
+
+def propose(context: Context) -> Iterator[Addition]:
+    """Yield a family for each found order and each shaft on which its torque may act."""
+    for line in context.lines:
+        for shaft in context.shafts if line.place.domain == "order" else ():
+            yield from _family(context, shaft, line.place)
+
+
+def _family(context: Context, shaft: Shaft, place: Place) -> Iterator[Addition]:
+    whole, name = whole_order(place.at / shaft.turns), free_name(context.rig, "unnamed_line")
+    first = float(whole) if whole else place.at / shaft.turns
+    multiples = context.multiples(place, most=_HARMONICS)
+
+    def ripple(amplitudes: dict[float, float]) -> mechanisms.TorqueRipple:
+        return mechanisms.TorqueRipple(name=name, at=shaft.part, group="mechanical", amplitudes=amplitudes)
+
+    found = harmonics(
+        context, multiples, unit=lambda multiple: ripple({multiple * first: 1.0}),
+        knob=lambda multiple: Knob(name, "amplitudes", DECADE, key=multiple * first),
+    )  # fmt: skip
+    if 1 in found.medians:
+        part = ripple({multiple * first: median for multiple, median in found.medians.items()})
+        yield Addition(
+            kind="line_family", parts=(part,), knobs=tuple(found.knobs), starts=(tuple(found.start),),
+            places=tuple(multiples.values()), log_odds=_WHOLE if whole else _ANY,
+            label=f"a torque at order {first:.6g} of {shaft.part}",
+        )  # fmt: skip

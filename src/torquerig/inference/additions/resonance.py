@@ -1,0 +1,46 @@
+"""A nameless hump of the spectrum: noise in a band of fixed frequency."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from torquerig import mechanisms
+from torquerig.diagnosis.fitting.knobs import Knob
+from torquerig.inference.addition import DECADE, Addition, free_name
+from torquerig.inference.context import SHARE_OF_SIGNAL, Context
+from torquerig.inference.fit import all_residuals
+from torquerig.inference.likelihood import BAND
+
+_LOG_ODDS = -6.0
+_STRONGEST = 4  # bands from which a hump is started
+_WIDTH, _WIDTH_SPREAD = 0.08, 0.8  # one sigma of the frequency's logarithm, and of the width's
+_FREQUENCY_SPREAD = 0.1  # of the frequency's logarithm
+_STARTS = tuple((size, 0.0, 0.0) for size in (-1.0, -0.5, 0.0, 0.5, 1.0))
+
+
+def propose(context: Context) -> Iterator[Addition]:
+    """Yield a hump at each of the bands that exceed the model most in all runs together."""
+    name = free_name(context.rig, "unnamed_hump")
+    rms = SHARE_OF_SIGNAL * context.signal / context.unit
+    for frequency in _bands_above(context)[:_STRONGEST]:
+        yield Addition(
+            kind="resonance", log_odds=_LOG_ODDS, label=f"a hump of the spectrum near {frequency:.4g} Hz",
+            parts=(mechanisms.NoiseHump(name=name, rms=rms, frequency=frequency, width=_WIDTH),),
+            knobs=(Knob(name, "rms", DECADE), Knob(name, "frequency", _FREQUENCY_SPREAD),
+                   Knob(name, "width", _WIDTH_SPREAD)),
+            starts=_STARTS,
+        )  # fmt: skip
+
+
+def _bands_above(context: Context) -> list[float]:
+    """Return the middles of the bands [Hz], those first that exceed the model most in the sum over the runs."""
+    excess: dict[float, float] = {}
+    fit, data = context.fit, context.data
+    for seen, run in zip(data.seen, all_residuals(data, fit.expected, fit.gains, fit.off), strict=True):
+        rows = np.flatnonzero(run.kind == BAND)
+        middle = np.round(seen.bands.middle[run.at[rows]], 3)
+        for at, value in zip(middle.tolist(), run.standardised[rows].tolist(), strict=True):
+            excess[at] = excess.get(at, 0.0) + value
+    return sorted((at for at, value in excess.items() if value > 0), key=lambda at: -excess[at])

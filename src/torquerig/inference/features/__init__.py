@@ -1,0 +1,6 @@
+"""What recordings show, without a model.
+
+line_places     which lines a block can show             line_powers     power of the lines of a block
+bands           spectrum without the lines, in bands     run_features    all of it for one run, and mean torques
+noise_ratios    power over noise, for                    line_search     lines that no model has, in all runs
+"""

@@ -1,0 +1,86 @@
+"""Spectral density of what the lines leave, in bands of equal width on a logarithmic scale."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+BANDS_PER_OCTAVE = 6
+_LOWEST = 1.0  # [Hz]
+_HIGHEST = 0.45  # of the sample rate
+_INDEPENDENT = 0.7  # share of neighbouring bins under a Hann window that are independent (equivalent noise bandwidth)
+
+
+@dataclass(frozen=True)
+class Bands:
+    """Mean density of some blocks in each band.
+
+    Parameters
+    ----------
+    low, high : ndarray, shape (bands,)
+        Edges [Hz].
+    power : ndarray, shape (bands,)
+        One-sided density [(N m)^2/Hz]; NaN where the lines leave no bin.
+    count : ndarray, shape (bands,)
+        Independent values in the mean.
+    """
+
+    low: Floats
+    high: Floats
+    power: Floats
+    count: Floats
+
+    @property
+    def middle(self) -> Floats:
+        """Geometric mean of the edges [Hz]."""
+        return np.sqrt(self.low * self.high)
+
+
+def band_edges(rate: float) -> Floats:
+    """Return the edges [Hz] at ``rate`` samples per second, shape (bands + 1,)."""
+    octaves = np.log2(_HIGHEST * rate / _LOWEST)
+    return np.asarray(_LOWEST * 2 ** (np.arange(int(octaves * BANDS_PER_OCTAVE) + 1) / BANDS_PER_OCTAVE))
+
+
+def bands(residuals: Sequence[Floats], lines: Sequence[tuple[Floats, Floats]], rate: float) -> Bands:
+    """Return the mean density of the residuals of some blocks [N m].
+
+    Parameters
+    ----------
+    residuals : sequence of ndarray, shape (samples,)
+    lines : sequence of (ndarray, ndarray)
+        Of each block the frequencies of its lines [Hz] and the half-widths [Hz] around them that do not count.
+    rate : float
+        [Hz]
+    """
+    edges = band_edges(rate)
+    total, used = np.zeros(edges.size - 1), np.zeros(edges.size - 1)
+    for residual, (frequency, half_width) in zip(residuals, lines, strict=True):
+        density, counts = _spectrum(residual, frequency, half_width, rate)
+        step = rate / residual.size
+        index = np.searchsorted(edges, np.arange(density.size) * step, side="right") - 1
+        inside = counts & (index >= 0) & (index < edges.size - 1)
+        total += np.bincount(index[inside], weights=density[inside], minlength=edges.size - 1)
+        used += np.bincount(index[inside], minlength=edges.size - 1)
+    power = np.where(used > 0, total / np.maximum(used, 1.0), np.nan)
+    return Bands(edges[:-1], edges[1:], power, np.maximum(_INDEPENDENT * used, 1e-3))
+
+
+def _spectrum(residual: Floats, frequency: Floats, half_width: Floats, rate: float) -> tuple[Floats, NDArray[np.bool_]]:
+    """Return the density of each bin of a block, its straight line removed, and which bins hold no line."""
+    time = np.linspace(-1.0, 1.0, residual.size)
+    slope = float(residual @ time) / float(time @ time)
+    window = np.hanning(residual.size)
+    density = 2 * np.abs(np.fft.rfft((residual - residual.mean() - slope * time) * window)) ** 2
+    density /= (window**2).sum() * rate
+    counts = np.ones(density.size, dtype=bool)
+    step = rate / residual.size
+    for at, reach in zip(frequency.tolist(), half_width.tolist(), strict=True):
+        counts[max(int(np.ceil((at - reach) / step)), 0) : int(np.floor((at + reach) / step)) + 1] = False
+    counts[:2] = False  # the mean and what the window spreads of it
+    return np.asarray(density), counts

@@ -1,0 +1,41 @@
+"""Which lines a block can show: fast enough, below half the sample rate, and separate from each other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnosis.looking.places import Place
+
+Floats = NDArray[np.float64]
+
+FEWEST_PERIODS = 3.0  # of a line within a block: fewer cannot be separated from level, slope and slower lines
+HIGHEST = 0.45  # of the sample rate: higher up, filters against aliasing differ from converter to converter
+SEPARATE = 1.3  # [bins of a block] two lines under a Hann window that are nearer are one
+
+
+def line_frequencies(places: Sequence[Place], speed: Floats | float) -> Floats:
+    """Return the frequency of each place [Hz] at motor speeds [rad/s], shape (speeds, places)."""
+    at = np.array([place.at for place in places])
+    turning = np.array([place.domain == "order" for place in places], dtype=bool)
+    revolutions = np.abs(np.atleast_1d(np.asarray(speed, dtype=float)))[:, None] / (2 * pi)
+    return np.asarray(np.where(turning, at * revolutions, at))
+
+
+def shown_places(places: Sequence[Place], speed: Floats, rate: float) -> list[int]:
+    """Return the indices of the places that a block shows, of two that are not separate the first one.
+
+    ``speed`` is that of the motor along the block [rad/s], shape (samples,).
+    """
+    duration = speed.size / rate
+    mean = line_frequencies(places, float(speed.mean()))[0]
+    fastest = line_frequencies(places, float(np.abs(speed).max()))[0]
+    permitted = (mean * duration >= FEWEST_PERIODS) & (fastest < HIGHEST * rate)
+    shown: list[int] = []
+    for index in np.flatnonzero(permitted).tolist():
+        if not shown or np.abs(mean[shown] - mean[index]).min() * duration >= SEPARATE:
+            shown.append(index)
+    return shown

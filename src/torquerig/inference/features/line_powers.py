@@ -1,0 +1,117 @@
+"""Power of the lines of one block: by regression on the angle, or summed over the width of a smeared line."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnosis.looking.places import Place
+from torquerig.diagnosis.looking.regression import HANN_NOISE, regressed
+from torquerig.diagnosis.looking.waves import Waves
+from torquerig.inference.features.line_places import line_frequencies, shown_places
+from torquerig.inference.measured_run import MeasuredRun
+
+Floats = NDArray[np.float64]
+
+_RESOLVED = 2.0  # [bins] half the width of a line under a Hann window; one smeared by less is fitted by regression
+_LOST = 0.1  # [1] an order that is smeared over more of its frequency is no line
+_LEFT = 1e-3  # [1] of the power of a line that a regression on a measured angle leaves beside it
+_FAR = 12  # [bins] either way: where the noise of a line is taken, and as far as its leakage is looked for
+_MEDIAN_OF_EXPONENTIAL = float(np.log(2.0))
+
+
+@dataclass(frozen=True)
+class LinePowers:
+    """Lines of one block.
+
+    Parameters
+    ----------
+    power : ndarray, shape (places,)
+        Square of the amplitude (zero to peak), noise included [(N m)^2]; NaN where the block does not show the line.
+    noise_bandwidth : ndarray, shape (places,)
+        The noise adds so many times its density [Hz] to ``power``.
+    half_width : ndarray, shape (places,)
+        Within so much of its frequency [Hz] everything was taken as the line.
+    leakage : ndarray, shape (places,)
+        Within so much of its frequency [Hz] the spectrum beside the line holds what is left of it.
+    residual : ndarray, shape (samples,)
+        Torque without the lines [N m]; level and slope are still in it.
+    """
+
+    power: Floats
+    noise_bandwidth: Floats
+    half_width: Floats
+    leakage: Floats
+    residual: Floats
+
+
+def line_powers(run: MeasuredRun, samples: slice, places: Sequence[Place]) -> LinePowers:
+    """Return the lines at ``places`` in the samples of a block."""
+    torque, speed = run.torque[samples], run.speed[samples]
+    duration = torque.size / run.rate
+    time = np.arange(torque.size) / run.rate
+    smearing = run.smearing(samples)
+    shown = shown_places(places, speed, run.rate)
+    if smearing > _LOST:
+        shown = [index for index in shown if places[index].domain == "frequency"]
+    power, bandwidth, half_width, leakage = (np.full(len(places), np.nan) for _ in range(4))
+    waves = Waves([places[index] for index in shown], run.angle[samples], time)
+    found = regressed(torque, waves, window=np.hanning(torque.size))
+    power[shown] = np.abs(found.amplitude) ** 2
+    bandwidth[shown] = 2 * HANN_NOISE / duration * found.widening
+    half_width[shown] = _RESOLVED / duration
+    frequency = line_frequencies(places, float(speed.mean()))[0]
+    left = _LEFT if run.has_encoder else 1.0
+    leakage[shown] = _leakage(found.rest, power[shown], frequency[shown], rate=run.rate, left=left)
+    residual = found.rest + found.level + found.slope * np.linspace(-1.0, 1.0, torque.size)
+    smeared = [
+        index for index in shown
+        if places[index].domain == "order" and smearing * frequency[index] * duration > _RESOLVED
+    ]  # fmt: skip
+    if smeared:
+        kept = [row for row, index in enumerate(shown) if index not in set(smeared)]
+        sharp = Waves([places[shown[row]] for row in kept], run.angle[samples], time)
+        rest = torque - torque.mean() - sharp.summed(found.amplitude[kept])
+        _sum_smeared(power, bandwidth, half_width, rest, rate=run.rate, frequency=frequency, lines=smeared,
+                     smearing=smearing)  # fmt: skip
+    return LinePowers(power, bandwidth, half_width, np.maximum(leakage, half_width), residual)
+
+
+def _leakage(rest: Floats, power: Floats, frequency: Floats, *, rate: float, left: float) -> Floats:
+    """Return within how many hertz of each line what a regression leaves of it exceeds the noise, shape (lines,).
+
+    The power beside a line under a Hann window falls with the sixth power of the distance in bins; ``left`` is the
+    share of the line that the regression leaves (an angle that was estimated does not follow the shaft exactly).
+    """
+    step = rate / rest.size
+    window = np.hanning(rest.size)
+    density = 2 * np.abs(np.fft.rfft(rest * window)) ** 2 / ((window**2).sum() * rate)
+    answer = np.full(frequency.size, _RESOLVED)
+    for row, at in enumerate(frequency.tolist()):
+        middle = round(at / step)
+        beside = density[max(middle - _FAR, 1) : middle + _FAR + 1]
+        noise = 2 * float(np.median(beside)) / _MEDIAN_OF_EXPONENTIAL * step if beside.size else 0.0
+        if noise > 0:
+            answer[row] = min(max(_RESOLVED, (left * power[row] / noise) ** (1 / 6)), _FAR)
+    return answer * step
+
+
+def _sum_smeared(
+    power: Floats, bandwidth: Floats, half_width: Floats, rest: Floats, *, rate: float, frequency: Floats,
+    lines: Sequence[int], smearing: float,
+) -> None:  # fmt: skip
+    """Put the power of lines that are wider than a bin into the three rows; neighbours share the bins between them."""
+    window = np.hanning(rest.size)
+    density = 2 * np.abs(np.fft.rfft(rest * window)) ** 2 / ((window**2).sum() * rate)
+    step = rate / rest.size
+    at = frequency[list(lines)]
+    for index in lines:
+        nearest = np.abs(at - frequency[index])[at != frequency[index]].min(initial=np.inf)
+        reach = max(_RESOLVED * step, min(smearing * frequency[index], 0.5 * nearest))
+        low = max(int(np.ceil((frequency[index] - reach) / step)), 1)
+        high = min(int(np.floor((frequency[index] + reach) / step)) + 1, density.size)
+        power[index] = 2 * density[low:high].sum() * step
+        bandwidth[index], half_width[index] = 2 * (high - low) * step, reach

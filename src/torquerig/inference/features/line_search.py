@@ -1,0 +1,208 @@
+"""Lines that no model has yet: places that exceed the noise in all runs together, at an order or at a frequency."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import pi
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import gammaincc
+
+from torquerig.diagnosis.looking.places import Place
+from torquerig.inference.features.line_places import HIGHEST, line_frequencies
+from torquerig.inference.features.noise_ratios import NEAR, Density, NoiseRatios, noise_ratios
+from torquerig.inference.measured_run import MeasuredRun
+
+Floats = NDArray[np.float64]
+
+LEVEL = 1e-3  # p-value, of the whole search, below which a line is real
+_MOST_OF_A_BLOCK = 12.0  # [1] times the noise: what a single block shows is no line of the run
+_LOWEST = 1.0  # [Hz] slower than this the variation of the load has no even spectrum
+_DOMAINS = 2  # that are searched: orders and frequencies
+_OVERSAMPLED = 2  # points of the grid for each bin of the longest block
+_SKIRT_LOG = 0.05  # of the strongest line's log p-value: a weaker line may be its leakage and waits for the next pass
+_PASSES = 4
+_MOST = 40
+_SHOWN = 6.0  # [1] times the noise: a block with so much power shows the line
+
+
+@dataclass(frozen=True)
+class FoundLine:
+    """A line that exceeds the noise.
+
+    Parameters
+    ----------
+    place : Place
+        An order of the motor or a fixed frequency, whichever is the more likely one in all runs together.
+    log_p : float
+        Logarithm of the p-value of the whole search.
+    other_domain : float
+        The same at the best place of the other domain that could be this line; 0 where there is none.
+    """
+
+    place: Place
+    log_p: float
+    other_domain: float
+
+
+def search_lines(
+    runs: Sequence[MeasuredRun], known: Sequence[Place], densities: Sequence[Density]
+) -> tuple[FoundLine, ...]:
+    """Return the lines beyond ``known`` in the fitted blocks, clearest first.
+
+    In each block the power of a bin over that of noise is an exponential variate where there is no line. Noise is the
+    larger one of what the model expects, ``densities`` [(N m)^2/Hz] by run and frequency [Hz], and of the median of the
+    neighbours. The mean of n blocks of a run is a gamma variate of shape n; the p-values of the runs are combined by
+    Fisher's method, and multiplied by the number of independent places (Bonferroni). No block counts for more than
+    ``_MOST_OF_A_BLOCK``: a line is in many blocks, a transient in one. Strong lines are removed by regression before
+    weaker ones are searched.
+    """
+    found: list[FoundLine] = []
+    for _ in range(_PASSES):
+        places = [*known, *(line.place for line in found)]
+        ratios = [
+            each for run, density in zip(runs, densities, strict=True) for each in noise_ratios(run, places, density)
+        ]
+        new = _new_lines(ratios, found) if ratios else []
+        if not new:
+            break
+        found += new[: _MOST - len(found)]
+        if len(found) >= _MOST:
+            break
+    return tuple(sorted(found, key=lambda line: line.log_p))
+
+
+def _new_lines(ratios: Sequence[NoiseRatios], found: Sequence[FoundLine]) -> list[FoundLine]:
+    """Return the new lines, clearest first; what is near a stronger one in every block that shows it is left out."""
+    candidates = [*_peaks(ratios, "order"), *_peaks(ratios, "frequency")]
+    candidates.sort(key=lambda each: (each.log_p, -each.power))
+    accepted: list[FoundLine] = []
+    for each in candidates:
+        if accepted and each.log_p > _SKIRT_LOG * accepted[0].log_p:
+            break
+        if any(_same(each.place, other.place, ratios) for other in (*found, *accepted)):
+            continue
+        other = [
+            rival.log_p for rival in candidates
+            if rival.place.domain != each.place.domain and _same(each.place, rival.place, ratios)
+        ]  # fmt: skip
+        accepted.append(FoundLine(each.place, each.log_p, min(other, default=0.0)))
+    return accepted
+
+
+@dataclass(frozen=True)
+class _Peak:
+    place: Place
+    log_p: float
+    power: float
+
+
+def _peaks(ratios: Sequence[NoiseRatios], domain: Literal["order", "frequency"]) -> list[_Peak]:
+    grid, log_p, power = _scores(ratios, domain)
+    found: dict[float, _Peak] = {}
+    reach = int(NEAR * _OVERSAMPLED)
+    for at in np.flatnonzero(log_p < np.log(LEVEL)).tolist():
+        if log_p[at] > log_p[max(at - reach, 0) : at + reach + 1].min():
+            continue
+        place = _refined(float(grid[at]), ratios, domain)
+        best = found.get(place)
+        if best is None or log_p[at] < best.log_p:
+            found[place] = _Peak(Place(domain, float(f"{place:.9g}")), float(log_p[at]), float(power[at]))
+    return [*found.values()]
+
+
+def _refined(at: float, ratios: Sequence[NoiseRatios], domain: str) -> float:
+    """Return where the blocks of the finest resolution show a line that was found near ``at``."""
+    rows = [(each.by_order, each.order_step) if domain == "order" else (each.by_frequency, each.frequency_step)
+            for each in ratios]  # fmt: skip
+    rows = [(values, step) for values, step in rows if values.size > at / step + 1]
+    near = [(values, step) for values, step in rows if np.nanmax(_around(values, at / step, 1.5), initial=0.0) > _SHOWN]
+    if not near:
+        return at
+    width = 1.5 * max(step for _, step in near)
+    fine = min(step for _, step in near)
+    grid = np.arange(max(at - width, fine), at + width, 0.25 * fine)
+    total = np.zeros(grid.size)
+    for values, step in near:
+        if step <= 2 * fine:
+            total += np.log1p(np.interp(grid / step, np.arange(values.size), np.nan_to_num(values)))
+    return float(grid[int(np.argmax(total))])
+
+
+def _around(values: Floats, at: float, reach: float) -> Floats:
+    return values[max(round(at - reach), 0) : round(at + reach) + 1]
+
+
+def _scores(ratios: Sequence[NoiseRatios], domain: str) -> tuple[Floats, Floats, Floats]:
+    """Return the grid of places, the logarithm of the p-value of the whole search at each, and the power there."""
+    turning = domain == "order"
+    rows = [(each.by_order, each.order_step, each) if turning else (each.by_frequency, each.frequency_step, each)
+            for each in ratios]  # fmt: skip
+    rows = [row for row in rows if row[0].size]
+    if not rows:
+        return np.zeros(0), np.zeros(0), np.zeros(0)
+    step = min(row[1] for row in rows) / _OVERSAMPLED
+    top = max(_highest(each, turning=turning) for _, _, each in rows)
+    grid = np.arange(1, int(top / step)) * step
+    log_p, counted, power = (np.zeros(grid.size) for _ in range(3))
+    for run in {id(each.run): each.run for _, _, each in rows}.values():
+        total, count = np.zeros(grid.size), np.zeros(grid.size)
+        for values, own, each in rows:
+            if each.run is not run:
+                continue
+            shown = (grid < _highest(each, turning=turning)) & (grid > _lowest(each, turning=turning))
+            ratio = values[np.minimum(np.rint(grid[shown] / own).astype(int), values.size - 1)]
+            seen = np.isfinite(ratio)
+            ratio, shown[shown] = ratio[seen], seen
+            power[shown] += ratio
+            total[shown] += np.minimum(ratio, _MOST_OF_A_BLOCK)
+            count[shown] += 1
+        log_p += np.where(count > 0, _log_gamma_tail(np.maximum(count, 1), total), 0.0)
+        counted += count > 0
+    combined = np.where(counted > 0, _log_gamma_tail(np.maximum(counted, 1), -log_p), 0.0)
+    return (
+        np.asarray(grid),
+        np.asarray(combined + np.log(max(_DOMAINS * grid.size / _OVERSAMPLED, 1))),
+        np.asarray(power),
+    )
+
+
+def _highest(each: NoiseRatios, *, turning: bool) -> float:
+    top = HIGHEST * each.run.rate
+    return top * 2 * pi / max(each.speed, 1e-9) if turning else top
+
+
+def _lowest(each: NoiseRatios, *, turning: bool) -> float:
+    own = each.order_step if turning else each.frequency_step
+    least = _LOWEST * 2 * pi / max(each.speed, 1e-9) if turning else _LOWEST
+    return max(least, NEAR * own)
+
+
+def _log_gamma_tail(shape: Floats, value: Floats) -> Floats:
+    """Return the logarithm of the upper tail of a gamma variate of scale 1, also where it underflows."""
+    from scipy.special import gammaln
+
+    tail = gammaincc(shape, value)
+    far = -value + (shape - 1) * np.log(np.maximum(value, 1e-9)) - gammaln(shape)
+    return np.asarray(np.where(tail > 1e-250, np.log(np.maximum(tail, 1e-300)), far))
+
+
+def _same(one: Place, other: Place, ratios: Sequence[NoiseRatios]) -> bool:
+    """Return whether ``one`` is near ``other`` in every block that shows ``one``."""
+    near = []
+    for each in ratios:
+        values, step = (
+            (each.by_order, each.order_step) if one.domain == "order" else (each.by_frequency, each.frequency_step)
+        )
+        index = round(one.at / step)
+        if not 0 < index < values.size or not values[index] >= _SHOWN:
+            continue
+        slow, fast = line_frequencies([other], np.array(each.speeds))[:, 0]
+        low, high = line_frequencies([one], np.array(each.speeds))[:, 0]
+        width = max(NEAR * each.frequency_step, each.smearing * max(high, fast))
+        near.append(bool(low - fast < width and slow - high < width) if one.domain != other.domain
+                    else abs(0.5 * (low + high) - 0.5 * (slow + fast)) < width)  # fmt: skip
+    return bool(near) and all(near)

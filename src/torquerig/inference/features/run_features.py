@@ -1,0 +1,249 @@
+"""The numbers of one run that are compared with a model: lines, bands and levels."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnosis.looking.places import Place
+from torquerig.inference.blocks import STANDSTILL, Block, permitted_range
+from torquerig.inference.features.bands import Bands, bands
+from torquerig.inference.features.line_places import line_frequencies
+from torquerig.inference.features.line_powers import LinePowers, line_powers
+from torquerig.inference.measured_run import MeasuredRun
+
+Floats = NDArray[np.float64]
+
+POINTS = 9  # moments of a part at which the motion is kept
+POINTS_OF_GRID = 400  # of the integral over frequency
+_HIGHEST_IN_LEVEL = 4.0  # [1] times the inverse length of a part: above it the mean of a part passes less than 1 %
+_PARTS_OF_BLOCK = 4  # whose mean torque is a level: a zero may settle within a block
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Segment:
+    """Blocks of a run at one speed, whose lines and bands are averaged.
+
+    Parameters
+    ----------
+    blocks : tuple of Block
+    speed : float
+        Mean speed of the motor [rad/s], with its sign.
+    line_power : ndarray, shape (places,)
+        Mean square of the amplitudes, noise included [(N m)^2]; NaN where no block shows the line.
+    line_noise_bandwidth : ndarray, shape (places,)
+        The noise adds so many times its density [Hz] to ``line_power``.
+    line_half_width : ndarray, shape (places,)
+        [Hz]
+    line_count : ndarray, shape (places,)
+        Blocks that show the line.
+    bands : Bands
+    """
+
+    blocks: tuple[Block, ...]
+    speed: float
+    line_power: Floats
+    line_noise_bandwidth: Floats
+    line_half_width: Floats
+    line_count: Floats
+    bands: Bands
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LineTable:
+    """Lines of all segments, shape (segments, places) each; the fields are those of ``Segment``."""
+
+    power: Floats
+    count: Floats
+    noise_bandwidth: Floats
+    half_width: Floats
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RunFeatures:
+    """Features of the fitted or of the held-out blocks of one run.
+
+    Parameters
+    ----------
+    run : MeasuredRun
+    places : tuple of Place
+    segments : tuple of Segment
+    parts : ndarray, shape (levels, 2)
+        First sample and one past the last of each part whose mean is a level.
+    level : ndarray, shape (levels,)
+        Mean torque without the lines [N m].
+    level_speed, level_acceleration : ndarray, shape (levels, POINTS)
+        Of the motor at moments of each part [rad/s], [rad/s^2]: what opposes motion is not linear in the speed.
+    """
+
+    run: MeasuredRun
+    places: tuple[Place, ...]
+    segments: tuple[Segment, ...]
+    parts: NDArray[np.int64]
+    level: Floats
+    level_speed: Floats
+    level_acceleration: Floats
+
+    @cached_property
+    def speed(self) -> Floats:
+        """Mean speed of each segment [rad/s], shape (segments,)."""
+        return np.array([segment.speed for segment in self.segments])
+
+    @cached_property
+    def lines(self) -> LineTable:
+        """Lines of all segments."""
+        rows = self.segments
+        return LineTable(
+            power=np.array([row.line_power for row in rows]), count=np.array([row.line_count for row in rows]),
+            noise_bandwidth=np.array([row.line_noise_bandwidth for row in rows]),
+            half_width=np.array([row.line_half_width for row in rows]),
+        )  # fmt: skip
+
+    @cached_property
+    def band_power(self) -> Floats:
+        """Density of each band in each segment [(N m)^2/Hz], shape (segments, bands)."""
+        return np.array([row.bands.power for row in self.segments])
+
+    @cached_property
+    def band_count(self) -> Floats:
+        """Independent values behind each of them, shape (segments, bands)."""
+        return np.array([row.bands.count for row in self.segments])
+
+    @cached_property
+    def level_grid(self) -> Floats:
+        """Frequencies [Hz] over which the variance of the levels is integrated, shape (POINTS_OF_GRID,); first 0."""
+        shortest = float(self.level_duration.min(initial=np.inf))
+        return np.linspace(0.0, _HIGHEST_IN_LEVEL / shortest, POINTS_OF_GRID)
+
+    @cached_property
+    def level_passed(self) -> NDArray[np.complex128]:
+        """What the mean of each part passes of a wave at each frequency of ``level_grid`` [1], shape (levels, grid)."""
+        return passed_by_levels(self, self.level_grid)
+
+    @cached_property
+    def line_frequency(self) -> Floats:
+        """Frequency of each line in each segment [Hz], shape (segments, places)."""
+        return line_frequencies(self.places, self.speed)
+
+    def duration_of(self, segment: Segment) -> float:
+        """Return the mean length of the blocks of a segment [s]."""
+        lengths = [block.stop - block.start for block in segment.blocks]
+        return sum(lengths) / len(lengths) / self.run.rate
+
+    @property
+    def bands(self) -> Bands:
+        """The bands of the first segment, whose edges are those of all."""
+        return self.segments[0].bands
+
+    @property
+    def unit(self) -> float:
+        """Torque per unit of the recorded channel [N m]."""
+        recording = self.run.recording
+        return recording.channels[recording.torque_name()].si_per_unit
+
+    @property
+    def level_duration(self) -> Floats:
+        """Length of each part [s], shape (levels,)."""
+        return np.asarray((self.parts[:, 1] - self.parts[:, 0]) / self.run.rate)
+
+
+def passed_by_levels(seen: RunFeatures, frequency: Floats) -> NDArray[np.complex128]:
+    """Return what the mean of each part passes of a wave [1]: ``sinc(f T) exp(2 pi i f t)``, shape (levels, points)."""
+    middle = 0.5 * seen.parts.sum(axis=1) / seen.run.rate
+    turned = np.exp(2j * np.pi * frequency[None] * middle[:, None])
+    return np.asarray(np.sinc(frequency[None] * seen.level_duration[:, None]) * turned)
+
+
+def run_features(run: MeasuredRun, places: Sequence[Place], *, held_out: bool | None = False) -> RunFeatures:
+    """Return the features of the fitted blocks, of the held-out ones (``held_out``), or of all (None)."""
+    blocks = [block for block in run.blocks if held_out is None or block.held_out == held_out]
+    found = [line_powers(run, block.samples, places) for block in blocks]
+    turning = [not _stands_still(run, block) for block in blocks]
+    segments = tuple(
+        _segment(run, places, [(blocks[row], found[row]) for row in rows]) for rows in _groups(run, blocks, turning)
+    )
+    edges = [np.linspace(block.start, block.stop, _PARTS_OF_BLOCK + 1).astype(int) for block in blocks]
+    pairs = [pair for each in edges for pair in pairwise(each.tolist())]
+    rest = [lines.residual[low - block.start : high - block.start]
+            for block, lines, each in zip(blocks, found, edges, strict=True)
+            for low, high in pairwise(each.tolist())]  # fmt: skip
+    level = np.array([float(values.mean()) for values in rest])
+    parts = np.array(pairs, dtype=np.int64)
+    parts = parts.reshape(-1, 2)
+    speed, acceleration = _points(run, parts)
+    return RunFeatures(
+        run=run, places=tuple(places), segments=segments, parts=parts, level=level, level_speed=speed,
+        level_acceleration=acceleration,
+    )  # fmt: skip
+
+
+def _points(run: MeasuredRun, parts: NDArray[np.int64]) -> tuple[Floats, Floats]:
+    """Return speed [rad/s] and acceleration [rad/s^2] of the motor at some moments of each part, (levels, POINTS).
+
+    The acceleration is the slope over the part by least squares; 0 in a steady run, where it would be the noise of the
+    encoder.
+    """
+    speeds = np.zeros((len(parts), POINTS))
+    slopes = np.zeros((len(parts), POINTS))
+    for row, (low, high) in enumerate(parts.tolist()):
+        speed = run.speed[low:high]
+        speeds[row] = speed[np.linspace(0, speed.size - 1, POINTS).astype(int)]
+        if not run.is_steady and speed.size > 1:
+            time = np.linspace(-0.5, 0.5, speed.size)
+            slopes[row] = float(speed @ time) / float(time @ time) * run.rate / speed.size
+    return speeds, slopes
+
+
+def _stands_still(run: MeasuredRun, block: Block) -> bool:
+    """Return whether the motor stops or turns back in a block: sticking has no spectrum that a linear model gives."""
+    speed = run.speed[block.samples]
+    least = STANDSTILL * float(np.abs(run.speed).max())
+    return bool(np.abs(speed).min() < least or speed.min() * speed.max() < 0)
+
+
+def _groups(run: MeasuredRun, blocks: Sequence[Block], turning: Sequence[bool]) -> list[list[int]]:
+    """Return the indices of the blocks that turn at about one speed, in the order of the speeds."""
+    mean = [float(run.speed[block.samples].mean()) for block in blocks]
+    least = STANDSTILL * max(float(np.abs(run.speed).max()), 1e-12)
+    groups: list[list[int]] = []
+    for index in [one for one in np.argsort(mean, kind="stable").tolist() if turning[one]]:
+        if groups and mean[index] - mean[groups[-1][0]] <= permitted_range(abs(mean[index]), least):
+            groups[-1].append(index)
+        else:
+            groups.append([index])
+    return groups
+
+
+def _segment(run: MeasuredRun, places: Sequence[Place], members: Sequence[tuple[Block, LinePowers]]) -> Segment:
+    power = np.array([lines.power for _, lines in members])
+    shown = np.isfinite(power)
+    count = shown.sum(axis=0).astype(float)
+    speeds = [float(run.speed[block.samples].mean()) for block, _ in members]
+
+    def mean(values: Floats) -> Floats:
+        total = np.where(shown, values, 0.0).sum(axis=0)
+        return np.asarray(np.where(count > 0, total / np.maximum(count, 1.0), np.nan))
+
+    lines = [_occupied(run, places, block, each) for block, each in members]
+    return Segment(
+        blocks=tuple(block for block, _ in members),
+        speed=float(np.mean(speeds)),
+        line_power=mean(power),
+        line_noise_bandwidth=mean(np.array([each.noise_bandwidth for _, each in members])),
+        line_half_width=mean(np.array([each.half_width for _, each in members])),
+        line_count=count,
+        bands=bands([each.residual for _, each in members], lines, run.rate),
+    )
+
+
+def _occupied(run: MeasuredRun, places: Sequence[Place], block: Block, lines: LinePowers) -> tuple[Floats, Floats]:
+    """Return the middle [Hz] and the half-width [Hz] of what each line of a block sweeps over."""
+    shown = np.isfinite(lines.power)
+    speed = np.abs(run.speed[block.samples])
+    slow, fast = line_frequencies(places, np.array([speed.min(), speed.max()]))[:, shown]
+    return 0.5 * (slow + fast), 0.5 * (fast - slow) + lines.leakage[shown]

@@ -1,0 +1,157 @@
+"""Log-likelihood of the features of a run under a model: standardised residuals and their standard deviations.
+
+A power ``X`` that a model expects to be ``M`` has the residual ``ln X - ln M``; levels have that of their difference,
+made independent by their covariance. Sampling errors follow from how many values a mean holds. Beside them stands what
+a right model may be wrong by (``Discrepancy``), whose sizes are estimated together with the model.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import cholesky, solve_triangular
+
+from torquerig.inference.features.run_features import RunFeatures
+from torquerig.inference.prediction.expected_run import ExpectedRun
+
+Floats = NDArray[np.float64]
+
+DEGREES_OF_FREEDOM = 8.0  # of Student's distribution: one odd feature in a hundred does not decide
+_NOTHING = 1e-300  # keeps logarithms finite
+_SINGULAR = 1e-12  # of the square of the largest level: no mean of samples is known to better
+_MOST_EXCESS = 60.0  # [1] of the logarithm of a power; nothing measured is 26 orders of magnitude off
+
+
+@dataclass(frozen=True)
+class Discrepancy:
+    """How far a right model may be off, beyond sampling errors.
+
+    Parameters
+    ----------
+    line, band : float
+        Standard deviation of the logarithm of a line's amplitude, and of a band's density [1].
+    mode : float
+        Relative standard deviation of the frequencies of the modes in a run [1]: contacts and belts are stiffer under
+        load, and no rig is linear.
+    level : float
+        Relative standard deviation of a level [1].
+    level_floor : float
+        Standard deviation of any level [N m]: that of the zero from run to run.
+    """
+
+    line: float = 0.05
+    band: float = 0.08
+    mode: float = 0.01
+    level: float = 0.01
+    level_floor: float = 0.0
+
+
+@dataclass(frozen=True)
+class Residuals:
+    """Features of one run against a model.
+
+    Parameters
+    ----------
+    value, sd : ndarray, shape (features,)
+        Residual and its standard deviation: of lines and bands of the logarithm of the power [1], of levels of the
+        whitened torque [N m].
+    kind : ndarray of int, shape (features,)
+        ``LINE``, ``BAND`` or ``LEVEL``.
+    at : ndarray, shape (features,)
+        Index of place, band or part.
+    segment : ndarray, shape (features,)
+        Index of the segment; -1 for levels.
+    """
+
+    value: Floats
+    sd: Floats
+    kind: NDArray[np.int8]
+    at: NDArray[np.intp]
+    segment: NDArray[np.intp]
+
+    @property
+    def standardised(self) -> Floats:
+        """Residuals over their standard deviations [1]."""
+        return np.asarray(self.value / self.sd)
+
+
+LINE, BAND, LEVEL = 0, 1, 2
+
+
+def residuals(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals:
+    """Return the residuals of a run; features that the run does not show are left out."""
+    return _joined([_lines(seen, model, off), _bands(seen, model, off), _levels(seen, model, off)])
+
+
+def log_density(each: Residuals) -> float:
+    """Return the log-likelihood of a run [nats]: Student's distribution of each standardised residual."""
+    return log_density_of(each.standardised, each.sd)
+
+
+def log_density_of(standardised: Floats, sd: Floats) -> float:
+    """Return the same of standardised residuals and their standard deviations [nats]."""
+    nu = DEGREES_OF_FREEDOM
+    return float(np.sum(-0.5 * (nu + 1) * np.log1p(standardised**2 / nu) - np.log(sd)))
+
+
+def weights(standardised: Floats) -> Floats:
+    """Return the weights by which least squares follow the likelihood (iteratively reweighted) [1]."""
+    nu = DEGREES_OF_FREEDOM
+    return np.asarray((nu + 1) / (nu + standardised**2))
+
+
+def floor_density(seen: RunFeatures, model: ExpectedRun) -> Floats:
+    """Return the density below each line [(N m)^2/Hz], shape (segments, places): measured, else the model's."""
+    bands = seen.bands
+    power = np.log(np.maximum(np.where(np.isfinite(seen.band_power), seen.band_power, model.density), _NOTHING))
+    at, middle = np.log(np.maximum(seen.line_frequency, bands.low[0])), np.log(bands.middle)
+    return np.asarray(np.exp([np.interp(one, middle, own) for one, own in zip(at, power, strict=True)]))
+
+
+def _lines(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals:
+    table = seen.lines
+    shown = table.count > 0
+    noise = (table.noise_bandwidth * floor_density(seen, model))[shown]
+    power, count = model.line_power[shown], table.count[shown]
+    total = np.maximum(power + noise, _NOTHING)
+    sampling = (2 * power * noise + noise**2) / (count * total**2)
+    bent = np.hypot(2 * off.line, off.mode * model.line_slope[shown])
+    sd = np.sqrt(sampling + (bent * power / total) ** 2)
+    value = np.log(np.maximum(table.power[shown], _NOTHING) / total)
+    return _of(value, sd, LINE, shown)
+
+
+def _bands(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals:
+    shown = np.isfinite(seen.band_power) & (seen.band_count >= 1)
+    density = np.log(np.maximum(model.density, _NOTHING))
+    slope = np.gradient(density, np.log(seen.bands.middle), axis=1)[shown]
+    count = seen.band_count[shown]
+    sd = np.sqrt(1 / count + off.band**2 + (off.mode * slope) ** 2)
+    # the mean of the logarithm of a chi-square mean is lower than the logarithm of its mean, by 1/(2 count)
+    value = np.log(np.maximum(seen.band_power[shown], _NOTHING)) - density[shown] + 0.5 / count
+    return _of(value, sd, BAND, shown)
+
+
+def _levels(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals:
+    own = off.level_floor**2 + (off.level * model.level) ** 2 + (seen.run.time_error * model.level_rate) ** 2
+    least = _SINGULAR * float(np.square(seen.level).max(initial=0.0)) + _NOTHING
+    root = cholesky(model.level_covariance + np.diag(own + least), lower=True)
+    white = solve_triangular(root, seen.level - model.level, lower=True)
+    at, none = np.arange(seen.level.size), np.full(seen.level.size, -1)
+    sd = np.diag(root).copy()
+    return Residuals(white * sd, sd, np.full(seen.level.size, LEVEL, dtype=np.int8), at, none)
+
+
+def _of(value: Floats, sd: Floats, kind: int, shown: NDArray[np.bool_]) -> Residuals:
+    row, at = np.nonzero(shown)
+    clipped = np.clip(value, -_MOST_EXCESS, _MOST_EXCESS)
+    return Residuals(clipped, sd, np.full(value.size, kind, dtype=np.int8), at, row)
+
+
+def _joined(parts: Sequence[Residuals]) -> Residuals:
+    return Residuals(*(
+        np.concatenate([getattr(each, name) for each in parts]) for name in ("value", "sd", "kind", "at", "segment")
+    ))  # fmt: skip

@@ -1,0 +1,28 @@
+"""Covariance of the levels of a run: what slow loads and slow lines leave in the means of its parts."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.inference.features.run_features import RunFeatures, passed_by_levels
+
+Floats = NDArray[np.float64]
+
+
+def covariance(seen: RunFeatures, density: Floats) -> Floats:
+    """Return the covariance [(N m)^2] of the levels under torque of a one-sided density, shape (levels, levels).
+
+    ``C_ij = integral S(f) sinc(f T_i) sinc(f T_j) cos(2 pi f (t_i - t_j)) df``, T the lengths and t the middles of the
+    parts, S at ``seen.level_grid``. Source: mean of a stationary process over a window, any text on spectral analysis
+    (Priestley 1981, 5.3).
+    """
+    passed, grid = seen.level_passed, seen.level_grid
+    weight = density * np.gradient(grid)
+    return np.asarray(((passed * weight) @ passed.conj().T).real)
+
+
+def of_lines(seen: RunFeatures, frequency: Floats, power: Floats) -> Floats:
+    """Return the same of lines of random phase at ``frequency`` [Hz], of mean square ``power`` [(N m)^2] each."""
+    passed = passed_by_levels(seen, frequency)
+    return np.asarray(((passed * power) @ passed.conj().T).real)

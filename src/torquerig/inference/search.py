@@ -1,0 +1,170 @@
+"""Search for the additions of the largest posterior odds: screened by the local model, then fitted together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnosis.fitting.knobs import turned
+from torquerig.errors import TorquerigError
+from torquerig.inference.addition import Addition
+from torquerig.inference.additions import proposals
+from torquerig.inference.context import Context
+from torquerig.inference.features.line_search import FoundLine
+from torquerig.inference.fit import Data, Fit, all_residuals, fitted, hessian_of
+from torquerig.inference.likelihood import log_density, log_density_of, weights
+from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
+from torquerig.rig.assembly import Rig
+
+Floats = NDArray[np.float64]
+Progress = Callable[[str], None]
+
+MOST_ADDITIONS = 8
+FITTED = 5  # of the proposals of one round that are fitted together with the model
+LEAST_GAIN = 8.0  # [nats] of posterior odds by which an addition must win, 3000 to 1: the library is never complete
+LEAST_HELD_OUT = 3.0  # [nats] by which it must make the held-out data more likely
+_PER_PARAMETER = 1.5  # [nats] that the freedom of a parameter costs before it is fitted, for the screening
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """A fitted model with what was added to the nominal rig.
+
+    Parameters
+    ----------
+    fit : Fit
+    additions : tuple of Addition
+    lines : tuple of FoundLine
+        That no part explains.
+    alternatives : tuple of (Addition, Addition, float)
+        What was added, what was fitted in its place, and by how many nats of posterior odds that fell short.
+    """
+
+    fit: Fit
+    additions: tuple[Addition, ...]
+    lines: tuple[FoundLine, ...]
+    alternatives: tuple[tuple[Addition, Addition, float], ...] = ()
+
+    @property
+    def log_odds(self) -> float:
+        """Log-evidence plus the prior odds of the additions [nats]."""
+        return self.fit.log_evidence + sum(each.log_odds for each in self.additions)
+
+
+def searched(
+    start: Fit, data: Data, held: Data, lines: Sequence[FoundLine], *, progress: Progress = lambda _: None
+) -> Model:
+    """Return the model to which additions lead, one at a time, each the best of its round.
+
+    Parameters
+    ----------
+    start : Fit
+        Of the nominal rig.
+    data, held : Data
+        Features of the fitted and of the held-out blocks.
+    lines : sequence of FoundLine
+    """
+    model = Model(start, (), tuple(lines))
+    while len(model.additions) < MOST_ADDITIONS:
+        better = _extended(model, data, held)
+        if better is None:
+            break
+        model = better
+        progress(f"adding {model.additions[-1].label}")
+    return model
+
+
+def held_out_density(fit: Fit, held: Data) -> float:
+    """Return the log-likelihood of held-out data under a fitted model [nats]."""
+    rig = fit.fitted_rig
+    expected = [expected_run(rig, seen) for seen in held.seen]
+    return sum(log_density(each) for each in all_residuals(held, expected, fit.gains, fit.off))
+
+
+def _extended(model: Model, data: Data, held: Data) -> Model | None:
+    """Return the model with the best addition; None where none wins."""
+    context = Context(model.fit, data, model.lines)
+    taken = frozenset[str]().union(*(each.names for each in model.additions))
+    free = [each for each in proposals(context) if not each.names & taken]
+    screened = sorted(((*_screened(context, each), each) for each in free), key=lambda one: -one[0])
+    fits = [*_fitted(model, data, [(each, start) for gain, start, each in screened if gain > 0])]
+    before = held_out_density(model.fit, held)
+    winners = [
+        one for one in fits
+        if one.log_odds > model.log_odds + LEAST_GAIN and held_out_density(one.fit, held) > before + LEAST_HELD_OUT
+    ]  # fmt: skip
+    if not winners:
+        return None
+    best = max(winners, key=lambda one: one.log_odds)
+    added = best.additions[-1]
+    others = [(added, one.additions[-1], best.log_odds - one.log_odds) for one in fits if one is not best]
+    return replace(best, alternatives=(*model.alternatives, *others))
+
+
+def _fitted(model: Model, data: Data, screened: Sequence[tuple[Addition, tuple[float, ...]]]) -> Iterator[Model]:
+    """Yield the first of the screened additions fitted together with the model, one of each kind and place."""
+    kinds = list[tuple[object, ...]]()
+    for each, start in screened:
+        kind = (each.mechanism or each.kind, each.places, *(getattr(part, "at", "") for part in each.parts))
+        if len(kinds) == FITTED:
+            return
+        if kind not in kinds:
+            kinds.append(kind)
+            together = _together(model, data, each, start)
+            if together is not None:
+                yield together
+
+
+def _screened(context: Context, each: Addition) -> tuple[float, tuple[float, ...]]:
+    """Return the gain of posterior odds that the local model promises [nats], and from which start."""
+    gains = [_promised(context, each, start) for start in each.starts]
+    best = int(np.argmax(gains))
+    return gains[best], each.starts[best]
+
+
+def _promised(context: Context, each: Addition, start: tuple[float, ...]) -> float:
+    """Return the gain with the other parameters moved by one linear step."""
+    fit, data = context.fit, context.data
+    if not each.parts:  # a number with a wider prior gains at most what the narrow one costs
+        held = [at for at, knob in enumerate(fit.knobs) if knob.name in each.names]
+        return 0.5 * float(np.square(fit.positions[held]).sum()) + each.log_odds
+    expected = _expected(each.added_to(context.rig), each, start, data)
+    if expected is None:
+        return -np.inf
+    there = all_residuals(data, expected, fit.gains, fit.off)
+    value, sd = (np.concatenate([getattr(one, name) for one in there]) for name in ("standardised", "sd"))
+    position = np.concatenate([fit.positions, fit.gains])
+    gradient = fit.jacobian.T @ (weights(value) * value) + position
+    step = -np.linalg.solve(hessian_of(fit.jacobian, value), gradient)
+    prior = float(np.square(position + step).sum() + np.square(start).sum())
+    after = log_density_of(value + fit.jacobian @ step, sd) - 0.5 * prior
+    return after - fit.log_posterior + each.log_odds - _PER_PARAMETER * len(start)
+
+
+def _expected(rig: Rig, each: Addition, start: tuple[float, ...], data: Data) -> list[ExpectedRun] | None:
+    """Return what the rig with an addition is expected to show; None where there cannot be such a rig."""
+    try:
+        at = turned(rig, each.knobs, np.array(start))
+        return [expected_run(at, seen) for seen in data.seen]
+    except (TorquerigError, ValueError, np.linalg.LinAlgError):
+        return None
+
+
+def _together(model: Model, data: Data, each: Addition, start: tuple[float, ...]) -> Model | None:
+    """Return the model with an addition, all parameters fitted together; None where that is not possible."""
+    fit, own = model.fit, {knob.name for knob in each.knobs}
+    kept = [at for at, knob in enumerate(fit.knobs) if knob.name not in own]
+    new = np.full((fit.value.size, len(each.knobs)), np.nan)
+    jacobian = np.concatenate([fit.jacobian[:, kept], new, fit.jacobian[:, len(fit.knobs) :]], axis=1)
+    try:
+        found = fitted(
+            each.added_to(fit.rig), (*(fit.knobs[at] for at in kept), *each.knobs), data, gains=fit.gains, off=fit.off,
+            start=np.concatenate([fit.positions[kept], start]), jacobian=jacobian, nominal=fit.nominal,
+        )  # fmt: skip
+    except (TorquerigError, ValueError, np.linalg.LinAlgError):
+        return None
+    left = tuple(line for line in model.lines if line.place not in each.places)
+    return Model(found, (*model.additions, each), left, model.alternatives)

@@ -1,0 +1,97 @@
+"""The second engine on simulated rigs: nothing where nothing is missing, and what was left out."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from torquerig import mechanisms
+from torquerig.catalog.search import catalog_for
+from torquerig.cli.common_options import edited
+from torquerig.inference.answer import as_json
+from torquerig.inference.engine import diagnose
+from torquerig.scenario.reading import read_scenario
+from torquerig.simulation.simulator import simulate
+
+SCENARIO = """\
+scenario: pump bench
+operating_point: {motor_speed: 1200 rpm}
+measured: sensor
+rig:
+  motor: {kind: motor, inertia: {value: 0.002 kg*m^2, rel_sd: 0.1}, pole_pairs: 4, slots: 12,
+          current_loop_bandwidth: 500 Hz, torque_limit: 20 N*m}
+  sensor: {kind: torque_sensor, stiffness: {value: 3000 N*m/rad, rel_sd: 0.05}, damping: 0.5 N*m*s/rad,
+           inertia: 0.0005 kg*m^2, sensitivity: 0.5 V/(N*m), bandwidth: 500 Hz, noise_rms: 0.002 V}
+  shaft: {kind: coupling, stiffness: {value: 2000 N*m/rad, rel_sd: 0.1}, damping: 0.5 N*m*s/rad}
+  pump: {kind: body, inertia: {value: 0.01 kg*m^2, rel_sd: 0.1}, viscous: {value: 0.003 N*m*s/rad, rel_sd: 0.2}}
+  controller: {kind: speed_controller, motor: motor, kp: 0.4 N*m*s/rad, ki: 1 N*m/rad}
+  lines: {kind: torque_ripple, at: pump, group: mechanical, amplitudes: {1: 0.05 N*m}, amplitude_rel_sd: 0.2}
+  load: {kind: particle_load, at: pump, mean_by_occupancy_percent: {0: 2 N*m, 100: 2 N*m}, hit_rms: 0.02}
+"""
+
+
+@pytest.fixture(scope="module")
+def scenario(tmp_path_factory):
+    path = tmp_path_factory.mktemp("pump") / "scenario.yaml"
+    path.write_text(SCENARIO, encoding="utf-8")
+    return read_scenario(edited(path, ()), catalog_for(path, ()), seed=0)
+
+
+def recorded(scenario, *added):
+    rig = scenario.rig
+    for part in added:
+        rig = rig + part
+    answer = []
+    for index, rpm in enumerate((800.0, 1200.0)):
+        run = replace(rig.run, speed=rpm * 0.10471975511965978)
+        made = simulate(rig.at(run), duration=6.0, seed=10 + index, sample_rate=2000.0, wander=1e-3)
+        answer.append(replace(made.without_truth(), name=f"run{index + 1}.parquet", run=run))
+    return answer
+
+
+def answered(scenario, *added):
+    return as_json(diagnose(scenario, recorded(scenario, *added)))
+
+
+@pytest.mark.long
+def test_a_complete_model_is_adequate(scenario):
+    data = answered(scenario)
+    assert data["verdict"] == "adequate"
+    assert not data["findings"]
+    assert not data["unnamed"]
+    assert 0.6 < data["fit"]["before"]["heldout_misfit"] < 1.5  # some 250 features: 1 +- 0.15 for a true model
+
+
+@pytest.mark.long
+def test_hum_is_named_with_its_size(scenario):
+    data = answered(scenario, mechanisms.MainsInterference(name="hum", frequency=50.0, amplitudes=(0.02,)))
+    assert data["verdict"] == "missing_physics"
+    (finding,) = data["findings"]
+    assert finding["mechanism"] == "mains_interference"
+    low, high = finding["parameters"]["amplitude_V"]["ci95"]
+    assert low < 0.02 < high
+    assert data["fit"]["after"]["heldout_misfit"] < 0.8 * data["fit"]["before"]["heldout_misfit"]
+
+
+@pytest.mark.long
+def test_blades_are_named_by_the_sizes_of_their_harmonics(scenario):
+    blades = mechanisms.BladePass(name="blades", at="pump", order_output=5.0, amplitude=0.8)
+    data = answered(scenario, blades)
+    (finding,) = data["findings"]
+    assert finding["mechanism"] == "blade_pass"
+    assert finding["parameters"]["order_output"]["value"] == 5.0
+    low, high = finding["parameters"]["amplitude_Nm"]["ci95"]
+    assert low < 0.8 < high
+
+
+@pytest.mark.long
+def test_a_line_that_no_mechanism_makes_is_in_the_model_without_a_name(scenario):
+    odd = mechanisms.TorqueRipple(name="odd", at="pump", group="mechanical", amplitudes={3.37: 0.4})
+    data = answered(scenario, odd)
+    assert data["verdict"] == "unexplained"
+    assert not data["findings"]
+    (unnamed,) = data["unnamed"]
+    assert (unnamed["kind"], unnamed["axis"]) == ("line_family", "motor_shaft")
+    assert unnamed["at"] == pytest.approx(3.37, abs=0.01)
+    assert data["fit"]["after"]["heldout_misfit"] < 0.8 * data["fit"]["before"]["heldout_misfit"]

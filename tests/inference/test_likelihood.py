@@ -1,0 +1,47 @@
+"""Covariance of levels and adequacy against closed forms."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.inference.drawn_runs import drawn_run, steady
+from torquerig.inference.adequacy import excesses
+from torquerig.inference.features.run_features import run_features
+from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE, Residuals
+from torquerig.inference.prediction.slow_torque import covariance, of_lines
+
+
+def test_white_noise_leaves_half_its_density_over_the_length_in_each_mean():
+    seen = run_features(drawn_run(1, speed=steady(1000)), [])
+    found = covariance(seen, np.full(seen.level_grid.size, 0.3))
+    # the grid ends where 2.5 % of the integral of sinc^2 is left
+    assert np.diag(found) == pytest.approx(0.3 / (2 * seen.level_duration), rel=0.03)
+    assert np.abs(found - np.diag(np.diag(found))).max() < 0.03 * found[0, 0]
+
+
+def test_a_slow_line_moves_neighbouring_means_together():
+    seen = run_features(drawn_run(1, speed=steady(1000)), [])
+    found = of_lines(seen, np.array([0.01]), np.array([0.5]))
+    assert found[0, 1] == pytest.approx(0.5, rel=0.01)
+
+
+def drawn(rng, *, odd: float = 0.0) -> Residuals:
+    value = rng.standard_t(DEGREES_OF_FREEDOM, 300)
+    value[0] += odd
+    kind = np.repeat([LINE, BAND, LEVEL], 100).astype(np.int8)
+    return Residuals(value, np.ones(300), kind, np.arange(300), np.zeros(300, dtype=np.intp))
+
+
+def test_p_values_of_a_true_model_are_conservative():
+    rng = np.random.default_rng(3)
+    least = np.array([excesses([drawn(rng)])[0].p_value for _ in range(400)])
+    for level in (0.01, 0.05, 0.2):
+        assert np.mean(least < level) < level + 4 * np.sqrt(level / 400)
+    assert 0.1 < np.median(least) < 0.9  # neither blind nor alarmed
+
+
+def test_one_odd_line_is_located():
+    found = excesses([drawn(np.random.default_rng(4)), drawn(np.random.default_rng(5), odd=40.0)])[0]
+    assert (found.statistic, found.run, found.row) == ("largest of lines", 1, 0)
+    assert found.p_value < 1e-6
