@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, NotRequired
-
-from typing_extensions import TypedDict
+from typing import Any, Literal
 
 
-class Ci95(TypedDict):
+@dataclass(frozen=True, kw_only=True)
+class Ci95:
     """A value with its 95 % interval and unit."""
 
     value: float
@@ -16,7 +15,8 @@ class Ci95(TypedDict):
     unit: str
 
 
-class MismatchJson(TypedDict):
+@dataclass(frozen=True, kw_only=True)
+class MismatchJson:
     """One place where recordings and model differ."""
 
     domain: str
@@ -24,27 +24,29 @@ class MismatchJson(TypedDict):
     at: float
     width: float
     recordings: list[str]
-    excess_dB: float
+    excess_dB: float  # noqa: N815 (the contract's name)
     share_of_misfit: float
     p_value: float
 
 
-class FindingJson(TypedDict):
+@dataclass(frozen=True, kw_only=True)
+class FindingJson:
     """One effect that the model lacks."""
 
     mechanism: str
-    variant: NotRequired[str]
-    part: NotRequired[str | None]
+    variant: str | None = None
+    part: str | None = None
     explanation: str
     confidence: float
     parameters: dict[str, Ci95]
     equivalent_to: list[str]
     next_experiment: str | None
-    evidence: NotRequired[dict[str, Any]]
-    rivals: NotRequired[list[dict[str, Any]]]
+    evidence: dict[str, Any] | None = None
+    rivals: list[dict[str, Any]] | None = None
 
 
-class FitJson(TypedDict):
+@dataclass(frozen=True, kw_only=True)
+class FitJson:
     """How well the model fits held-out data before and after."""
 
     metric: str
@@ -53,7 +55,8 @@ class FitJson(TypedDict):
     improvement: dict[str, Any] | None
 
 
-class RecordingJson(TypedDict):
+@dataclass(frozen=True, kw_only=True)
+class RecordingJson:
     """A recording and what it was used for."""
 
     file: str
@@ -61,24 +64,25 @@ class RecordingJson(TypedDict):
     used_for: str
 
 
-class DiagnosisJson(TypedDict):
+@dataclass(frozen=True, kw_only=True)
+class DiagnosisJson:
     """The diagnosis of recordings of one rig."""
 
     schema: str
-    verdict: str
+    verdict: Literal["adequate", "missing_physics", "unexplained", "setup_error"]
     mismatch: list[MismatchJson]
     findings: list[FindingJson]
     fit: FitJson
     model: str | None
     recordings: list[RecordingJson]
-    set_aside: NotRequired[dict[str, str]]
-    next_experiment: NotRequired[str | None]
-    remarks: NotRequired[list[str]]
-    setup: NotRequired[list[dict[str, Any]]]
-    unnamed: NotRequired[list[dict[str, Any]]]
-    rms: NotRequired[dict[str, Any]]
-    upper_limits: NotRequired[list[dict[str, Any]]]
-    provenance: NotRequired[dict[str, Any]]
+    set_aside: dict[str, str] | None = None
+    next_experiment: str | None = None
+    remarks: list[str] | None = None
+    setup: list[dict[str, Any]] | None = None
+    unnamed: list[dict[str, Any]] | None = None
+    rms: dict[str, Any] | None = None
+    upper_limits: list[dict[str, Any]] | None = None
+    provenance: dict[str, Any] | None = None
 
 
 @dataclass(frozen=True)
