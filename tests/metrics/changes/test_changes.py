@@ -209,7 +209,7 @@ def test_bad_pairs_are_refused() -> None:
 
 @pytest.mark.parametrize("amplitude", [0.0, 0.3, 1.0, 5.0])
 def test_intervals_of_lines_hold_the_truth_as_often_as_stated(amplitude: float) -> None:
-    """Complex Gaussian noise of variance 1 in 12 segments; the standard error of 800 trials at 95 % is 0.8 %."""
+    """Complex Gaussian noise of variance 1 in 12 segments; the standard error of 400 trials at 95 % is 1.1 %."""
     rng = np.random.default_rng(7)
 
     def powers(size: float) -> FLOATS:
@@ -217,8 +217,8 @@ def test_intervals_of_lines_hold_the_truth_as_often_as_stated(amplitude: float) 
         return np.asarray(np.abs(size + noise) ** 2)
 
     hits = 0
-    for _ in range(800):
+    for _ in range(400):
         squares = [line_square(powers(size), 1.0) for size in (amplitude, amplitude + 0.5)]
         _, low, high = sure_difference_of_roots(*squares, level=0.05)
         hits += low <= 0.5 <= high
-    assert hits / 800 >= 0.93
+    assert hits / 400 >= 0.92
