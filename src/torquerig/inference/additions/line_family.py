@@ -13,11 +13,12 @@ from torquerig.inference.shafts import Shaft, whole_order
 
 _WHOLE, _ANY = -6.0, -9.0  # log-odds of a line at a whole order of a shaft, and anywhere on the search grid
 _HARMONICS = 6
+_CLEAREST = 8  # lines; others follow when these are explained
 
 
 def propose(context: Context) -> Iterator[Addition]:
     """Yield a family for each found order and each shaft on which its torque may act."""
-    for line in context.lines:
+    for line in context.lines[:_CLEAREST]:
         for shaft in context.shafts if line.place.domain == "order" else ():
             yield from _family(context, shaft, line.place)
 
