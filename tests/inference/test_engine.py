@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from torquerig import mechanisms
@@ -11,6 +12,7 @@ from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import edited
 from torquerig.inference.answer import as_json
 from torquerig.inference.engine import diagnose
+from torquerig.recordings.recording import Channel
 from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.simulator import simulate
 
@@ -38,16 +40,18 @@ def scenario(tmp_path_factory):
     return read_scenario(edited(path, ()), catalog_for(path, ()), seed=0)
 
 
-def recorded(scenario, *added):
+def simulated(scenario, *added):
     rig = scenario.rig
     for part in added:
         rig = rig + part
-    answer = []
     for index, rpm in enumerate((800.0, 1200.0)):
-        run = replace(rig.run, speed=rpm * 0.10471975511965978)
+        run = replace(rig.run, speed=rpm * np.pi / 30)
         made = simulate(rig.at(run), duration=6.0, seed=10 + index, sample_rate=2000.0, wander=1e-3)
-        answer.append(replace(made.without_truth(), name=f"run{index + 1}.parquet", run=run))
-    return answer
+        yield replace(made, name=f"run{index + 1}.parquet", run=run)
+
+
+def recorded(scenario, *added):
+    return [made.without_truth() for made in simulated(scenario, *added)]
 
 
 def answered(scenario, *added):
@@ -83,6 +87,35 @@ def test_blades_are_named_by_the_sizes_of_their_harmonics(scenario):
     assert finding["parameters"]["order_output"]["value"] == 5.0
     low, high = finding["parameters"]["amplitude_Nm"]["ci95"]
     assert low < 0.8 < high
+
+
+def multiplied(recordings, factor):
+    name = recordings[0].torque_name()
+    return [one.with_values(name, factor * one.channels[name].values) for one in recordings]
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(("factor", "kind", "estimated"), [(-1.0, "sensor_sign", -1.0), (10.0, "sensor_scale", 10.0)])
+def test_a_fault_of_the_set_up_is_reported_as_such(scenario, factor, kind, estimated):
+    data = as_json(diagnose(scenario, multiplied(recorded(scenario), factor)))
+    (fault,) = data["setup"]
+    assert (fault["kind"], fault["of"]) == (kind, "sensor")
+    assert fault["estimated"]["value"] == pytest.approx(estimated, rel=1e-6)
+    assert not data["findings"]
+
+
+@pytest.mark.long
+def test_wrong_counts_of_the_encoder_are_reported(scenario):
+    recordings = []
+    for made, run in zip(simulated(scenario), recorded(scenario), strict=True):
+        counts = np.floor(made.channels["true_motor_angle_rad"].values / (2 * np.pi) * 4096)
+        channel = Channel(values=counts, quantity="motor_angle", unit="count", si_per_unit=2 * np.pi / 1024)
+        recordings.append(run.with_channel("encoder_count", channel))
+    data = as_json(diagnose(scenario, recordings))
+    (fault,) = data["setup"]
+    assert fault["kind"] == "counts_per_rev"
+    assert (fault["stated"], fault["estimated"]["value"]) == pytest.approx((1024, 4096))
+    assert not data["findings"]
 
 
 @pytest.mark.long

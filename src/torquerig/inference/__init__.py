@@ -4,9 +4,10 @@ measured_run, blocks    a recording with its angle, cut where the speed changes
 features/               what recordings show: lines, bands, levels; and lines that no model has yet
 prediction/             what a rig is expected to show
 likelihood              how likely features are under a model      load_spectrum   what nobody knows of a load
+setup_faults            readings of the samples with a fact of the set-up corrected
 parameters, fit         the nominal rig's numbers, their maximum of the posterior, and the evidence
 additions/, addition    hypotheses: nameless effects, numbers far off, mechanisms      context, shafts, tones   for them
 search                  the additions of the largest posterior odds
 adequacy                whether a model explains the data
-engine                  all of it in order                        answer          as JSON
+engine                  all of it in order                        answer, setup_answer   as JSON
 """

@@ -8,19 +8,18 @@ from typing import Any
 
 import numpy as np
 
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.addition import Addition, Reported
 from torquerig.inference.adequacy import LEVEL_OF_TEST, Excess, excesses
 from torquerig.inference.engine import Outcome
+from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.fit import Data, Fit, all_residuals
 from torquerig.inference.likelihood import BAND, LEVEL, LINE
 from torquerig.inference.prediction.expected_run import expected_run
+from torquerig.inference.setup_answer import MOST_SURE, TWO_SIDED, digits, estimate, fault_answer, number_answer
 
 SCHEMA = "torquerig.diagnosis/1"
 RELEVANCE = 0.03  # [1] of the signal's standard deviation: a smaller nameless effect changes no verdict
-_MOST_SURE = 0.99  # no set of hypotheses is complete
-_TWO_SIDED = 1.96  # standard deviations of half a 95 % interval
 _METRIC = (
     "Mean squared standardised residual of held-out data; about 1 for a true model. The data are the logarithms of the "
     "power of lines and of the density of bands, and mean torques, each divided by its standard deviation: sampling "
@@ -40,27 +39,29 @@ def as_json(outcome: Outcome) -> dict[str, Any]:
     after = _held_residual(model.fit, outcome.held)
     return {
         "schema": SCHEMA,
-        "verdict": _verdict(named, numbers, [each for each in nameless if id(each) not in minor], left),
+        "verdict": _verdict(
+            named, [*outcome.setup, *numbers], [each for each in nameless if id(each) not in minor], left
+        ),
         "mismatch": [*_mismatches(outcome), *(_leftover(outcome, each) for each in left)],
         "findings": [_finding(outcome, each) for each in named],
-        "setup": [_setup(outcome, each) for each in numbers],
+        "setup": [*map(fault_answer, outcome.setup), *(_number(outcome, each) for each in numbers)],
         "unnamed": [_unnamed(outcome, each, minor=id(each) in minor) for each in nameless],
         "fit": {
             "metric": _METRIC,
-            "before": {"heldout_misfit": _digits(before), "nominal": _digits(nominal)},
-            "after": {"heldout_misfit": _digits(after)},
-            "improvement": {"value": _digits(1 - after / before), "ci95": _improvement(outcome)},
+            "before": {"heldout_misfit": digits(before), "nominal": digits(nominal)},
+            "after": {"heldout_misfit": digits(after)},
+            "improvement": {"value": digits(1 - after / before), "ci95": _improvement(outcome)},
         },
         "model": None,
         "recordings": [
-            {"file": run.name, "speed_rpm": _digits(float(np.mean(run.speed)) * 30 / pi), "used_for": "split"}
+            {"file": run.name, "speed_rpm": digits(float(np.mean(run.speed)) * 30 / pi), "used_for": "split"}
             for run in outcome.runs
         ],
     }
 
 
 def _verdict(
-    named: Sequence[Addition], numbers: Sequence[Addition], nameless: Sequence[Addition], left: Sequence[Excess]
+    named: Sequence[Addition], numbers: Sequence[object], nameless: Sequence[Addition], left: Sequence[Excess]
 ) -> str:
     if left or nameless:
         return "unexplained"
@@ -99,7 +100,7 @@ def _improvement(outcome: Outcome) -> list[float]:
     after = _standardised(outcome.model.fit, outcome.held) ** 2
     share = 1 - after.mean() / before.mean()
     scatter = np.std(after - (1 - share) * before) / (before.mean() * np.sqrt(before.size))
-    return [_digits(float(share - _TWO_SIDED * scatter)), _digits(float(share + _TWO_SIDED * scatter))]
+    return [digits(float(share - TWO_SIDED * scatter)), digits(float(share + TWO_SIDED * scatter))]
 
 
 def _signal(outcome: Outcome) -> float:
@@ -125,7 +126,7 @@ def _size(outcome: Outcome, each: Addition) -> float:
 def _confidence(outcome: Outcome, each: Addition) -> float:
     """Return the posterior probability of an addition among what was fitted in its place."""
     others = sum(exp(-gap) for added, _, gap in outcome.model.alternatives if added is each)
-    return min(1 / (1 + others), _MOST_SURE)
+    return min(1 / (1 + others), MOST_SURE)
 
 
 def _equivalent(outcome: Outcome, each: Addition) -> list[str]:
@@ -146,13 +147,13 @@ def _finding(outcome: Outcome, each: Addition) -> dict[str, Any]:
         "parameters": dict(_parameters(outcome, each)),
         "equivalent_to": _equivalent(outcome, each),
         "next_experiment": None,
-        "size": {"value": _digits(_size(outcome, each)), "unit": "N*m"},
+        "size": {"value": digits(_size(outcome, each)), "unit": "N*m"},
     }
 
 
 def _parameters(outcome: Outcome, each: Addition) -> Iterator[tuple[str, dict[str, Any]]]:
     for name, (value, half, unit) in each.fixed.items():
-        yield name, {"value": _digits(value), "ci95": [_digits(value - half), _digits(value + half)], "unit": unit}
+        yield name, {"value": digits(value), "ci95": [digits(value - half), digits(value + half)], "unit": unit}
     for one in each.reported:
         yield one.name, _interval(outcome, each.parts[0].name, one)
 
@@ -163,39 +164,11 @@ def _interval(outcome: Outcome, part: str, one: Reported) -> dict[str, Any]:
     column = next(
         at for at, knob in enumerate(fit.knobs) if (knob.part, knob.field, knob.key) == (part, one.field, one.key)
     )
-    return _estimate(fit, column, one.unit)
+    return estimate(fit, column, one.unit)
 
 
-def _estimate(fit: Fit, column: int, unit: str) -> dict[str, Any]:
-    knob, position = fit.knobs[column], float(fit.positions[column])
-    half = _TWO_SIDED * float(np.sqrt(fit.covariance()[column, column]))
-    median = knob.value(fit.rig)
-    ends = sorted(knob.turned(median, position + way * half) for way in (-1, 1))
-    value = knob.turned(median, position)
-    return {"value": _digits(value), "ci95": [_digits(end) for end in ends], "unit": unit}
-
-
-def _setup(outcome: Outcome, each: Addition) -> dict[str, Any]:
-    fit, knob = outcome.model.fit, each.knobs[0]
-    column = [one.name for one in fit.knobs].index(knob.name)
-    estimated = _estimate(fit, column, _unit_of(fit, knob))
-    return {
-        "kind": "parameter", "of": knob.name, "stated": _digits(knob.value(fit.nominal)), "estimated": estimated,
-        "confidence": round(_confidence(outcome, each), 3), "equivalent_to": [],
-        "explanation": f"The recordings fit if {knob.name} is {estimated['value']:g} instead of "
-        f"{knob.value(fit.nominal):.4g} {estimated['unit']}.",
-    }  # fmt: skip
-
-
-def _unit_of(fit: Fit, knob: Knob) -> str:
-    """Return the unit in which the class of a part declares a field."""
-    from typing import get_type_hints
-
-    from torquerig.parameter import Parameter
-
-    hint = get_type_hints(type(fit.nominal.part(knob.part)), include_extras=True).get(knob.field)
-    declared = [one for one in getattr(hint, "__metadata__", ()) if isinstance(one, Parameter)]
-    return declared[0].unit if declared else "1"
+def _number(outcome: Outcome, each: Addition) -> dict[str, Any]:
+    return number_answer(outcome.model.fit, each.knobs[0], confidence=_confidence(outcome, each))
 
 
 def _unnamed(outcome: Outcome, each: Addition, *, minor: bool) -> dict[str, Any]:
@@ -203,9 +176,9 @@ def _unnamed(outcome: Outcome, each: Addition, *, minor: bool) -> dict[str, Any]
     axis, at = _axis(outcome, each)
     acts = f"torque at {getattr(part, 'at', '')}" if each.kind == "line_family" else "signal"
     return {
-        "kind": each.kind, "axis": axis, "at": _digits(at),
+        "kind": each.kind, "axis": axis, "at": digits(at),
         "harmonics": [max(1, round(place.at / each.places[0].at)) for place in each.places], "acts_as": acts,
-        "size": {"value": _digits(size * 2**0.5 if each.places else size), "unit": "N*m"}, "in_model": True,
+        "size": {"value": digits(size * 2**0.5 if each.places else size), "unit": "N*m"}, "in_model": True,
         "minor": minor, "confidence": round(_confidence(outcome, each), 3), "equivalent_to": [],
         "explanation": f"The recordings show {each.label}. No mechanism of the library explains it.",
     }  # fmt: skip
@@ -239,9 +212,9 @@ def _of_place(outcome: Outcome, place: Place) -> dict[str, Any]:
                 runs += [seen.run.name] if seen.run.name not in runs else []
     turning = place.domain == "order"
     return {
-        "domain": place.domain, "axis": "motor_shaft" if turning else "Hz", "at": _digits(place.at),
-        "width": 0.01 if turning else 1.0, "recordings": runs, "excess_dB": _digits(excess),
-        "share_of_misfit": _digits(_share(outcome, place)),
+        "domain": place.domain, "axis": "motor_shaft" if turning else "Hz", "at": digits(place.at),
+        "width": 0.01 if turning else 1.0, "recordings": runs, "excess_dB": digits(excess),
+        "share_of_misfit": digits(_share(outcome, place)),
         "p_value": 0.0,
     }  # fmt: skip
 
@@ -252,20 +225,23 @@ def _leftover(outcome: Outcome, each: Excess) -> dict[str, Any]:
     seen = outcome.data.seen[each.run]
     residual = all_residuals(outcome.data, fit.expected, fit.gains, fit.off)[each.run]
     at, decibels = int(residual.at[each.row]), 10 * float(residual.value[each.row]) / np.log(10)
-    found: dict[int, tuple[str, str, float, float]] = {
-        BAND: ("frequency", "Hz", float(seen.bands.middle[at]), float(seen.bands.high[at] - seen.bands.low[at])),
-        LEVEL: ("time", "s", float(seen.parts[at].mean()) / seen.run.rate, float(seen.level_duration[at])),
-    } if each.kind != LINE else {}  # fmt: skip
-    if each.kind == LINE:
-        place = seen.places[at]
-        turning = place.domain == "order"
-        found[LINE] = (place.domain, "motor_shaft" if turning else "Hz", place.at, 0.01 if turning else 1.0)
-    domain, axis, middle, width = found[each.kind]
+    domain, axis, middle, width = _where(seen, each.kind, at)
     return {
-        "domain": domain, "axis": axis, "at": _digits(middle), "width": _digits(width), "recordings": [seen.run.name],
-        "excess_dB": _digits(decibels) if each.kind != LEVEL else None, "share_of_misfit": None,
-        "p_value": _digits(each.p_value),
+        "domain": domain, "axis": axis, "at": digits(middle), "width": digits(width), "recordings": [seen.run.name],
+        "excess_dB": digits(decibels) if each.kind != LEVEL else None, "share_of_misfit": None,
+        "p_value": digits(each.p_value),
     }  # fmt: skip
+
+
+def _where(seen: RunFeatures, kind: int, at: int) -> tuple[str, str, float, float]:
+    """Return domain, axis, middle and width of a feature."""
+    if kind == BAND:
+        return "frequency", "Hz", float(seen.bands.middle[at]), float(seen.bands.high[at] - seen.bands.low[at])
+    if kind == LEVEL:
+        return "time", "s", float(seen.parts[at].mean()) / seen.run.rate, float(seen.level_duration[at])
+    place = seen.places[at]
+    turning = place.domain == "order"
+    return place.domain, "motor_shaft" if turning else "Hz", place.at, 0.01 if turning else 1.0
 
 
 def _share(outcome: Outcome, place: Place) -> float:
@@ -278,7 +254,3 @@ def _share(outcome: Outcome, place: Place) -> float:
         total += float(square.sum())
         there += float(square[(each.kind == LINE) & (each.at == seen.places.index(place))].sum())
     return there / total
-
-
-def _digits(value: float) -> float:
-    return float(f"{value:.6g}")

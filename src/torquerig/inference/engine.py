@@ -17,6 +17,7 @@ from torquerig.inference.measured_run import MeasuredRun, measured_runs
 from torquerig.inference.model_density import model_densities
 from torquerig.inference.parameters import parameters
 from torquerig.inference.search import Model, searched
+from torquerig.inference.setup_faults import SetupFault, best_reading
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario
@@ -38,6 +39,8 @@ class Outcome:
     nominal : Fit
         Of the scenario's rig, its own parameters fitted.
     model : Model
+    setup : tuple of SetupFault
+        Corrected before all else.
     """
 
     runs: tuple[MeasuredRun, ...]
@@ -45,6 +48,7 @@ class Outcome:
     held: Data
     nominal: Fit
     model: Model
+    setup: tuple[SetupFault, ...] = ()
 
     @property
     def completed(self) -> Rig:
@@ -84,8 +88,13 @@ def diagnose(scenario: Scenario, recordings: Sequence[Recording], *, progress: P
     known = sorted({order(line.order) for run in runs for line in Twin(rig.at(run.run)).lines()})
     knobs = parameters(scenario, rig, runs)
     progress("fitting the parameters of the nominal model")
-    data = _features(runs, known)
-    nominal = fitted(rig, knobs, data)
+
+    def nominal_fit(of: Sequence[MeasuredRun]) -> tuple[Data, Fit]:
+        seen = _features(of, known)
+        return seen, fitted(rig, knobs, seen)
+
+    reading = best_reading(runs, rig, nominal_fit)
+    runs, data, nominal = reading.runs, reading.data, reading.fit
     progress("searching lines that the model lacks")
     lines = search_lines(runs, known, model_densities(nominal, data))
     places = [*known, *(line.place for line in lines)]
@@ -94,7 +103,7 @@ def diagnose(scenario: Scenario, recordings: Sequence[Recording], *, progress: P
         nominal = fitted(rig, knobs, data, start=nominal.positions, gains=nominal.gains)
     held = _features(runs, places, held_out=True)
     model = searched(nominal, data, held, lines, progress=progress)
-    return Outcome(runs, data, held, nominal, model)
+    return Outcome(runs, data, held, nominal, model, reading.faults)
 
 
 def _features(runs: Sequence[MeasuredRun], places: Sequence[Place], *, held_out: bool = False) -> Data:

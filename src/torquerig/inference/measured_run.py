@@ -101,7 +101,9 @@ def _measured_run(recording: Recording, angle: Floats, *, has_encoder: bool, fac
     run = recording.run
     held = replace(run, speed=None if run.speed is None else run.speed * factor)
     speed = speed_of(angle, recording.sample_rate)
+    is_steady = run.profile == "steady"  # what an encoder scatters by is no change of the speed
+    course = np.full(speed.size, float(speed.mean())) if is_steady else speed
     return MeasuredRun(
         recording=replace(recording, run=held), torque=recording.torque(), angle=angle, speed=speed,
-        has_encoder=has_encoder, speed_factor=factor, blocks=blocks_of(speed, recording.sample_rate),
+        has_encoder=has_encoder, speed_factor=factor, blocks=blocks_of(course, recording.sample_rate),
     )  # fmt: skip

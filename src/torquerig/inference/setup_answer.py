@@ -1,0 +1,67 @@
+"""Facts of the set-up and fitted numbers in the form of the contract."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from torquerig.diagnosis.fitting.knobs import Knob
+from torquerig.inference.fit import Fit
+from torquerig.inference.setup_faults import SetupFault
+
+MOST_SURE = 0.99  # no set of hypotheses is complete
+TWO_SIDED = 1.96  # standard deviations of half a 95 % interval
+_KIND_OF = {"scale": "sensor_scale", "zero": "sensor_zero"}  # fields of a sensor that are facts of the set-up
+
+
+def fault_answer(each: SetupFault) -> dict[str, Any]:
+    """Return a fault of the set-up in the form of the contract."""
+    estimated = digits(each.estimated)
+    return {
+        "kind": each.kind, "of": each.of, "stated": digits(each.stated),
+        "estimated": {"value": estimated, "ci95": [estimated, estimated], "unit": each.unit},
+        "confidence": MOST_SURE if not each.equivalent_to else round(1 / (1 + len(each.equivalent_to)), 3),
+        "equivalent_to": list(each.equivalent_to), "explanation": each.explanation,
+    }  # fmt: skip
+
+
+def number_answer(fit: Fit, knob: Knob, *, confidence: float) -> dict[str, Any]:
+    """Return a number of the rig that is far from its stated value, in the form of the contract."""
+    column = [one.name for one in fit.knobs].index(knob.name)
+    estimated = estimate(fit, column, _unit_of(fit, knob))
+    return {
+        "kind": _KIND_OF.get(knob.field, "parameter"),
+        "of": knob.part if knob.field in _KIND_OF else knob.name,
+        "stated": digits(knob.value(fit.nominal)),
+        "estimated": estimated,
+        "confidence": round(confidence, 3), "equivalent_to": [],
+        "explanation": f"The recordings fit if {knob.name} is {estimated['value']:g} instead of "
+        f"{knob.value(fit.nominal):.4g} {estimated['unit']}.",
+    }  # fmt: skip
+
+
+def estimate(fit: Fit, column: int, unit: str) -> dict[str, Any]:
+    """Return a fitted parameter with its 95 % interval, by the covariance of the posterior."""
+    knob, position = fit.knobs[column], float(fit.positions[column])
+    half = TWO_SIDED * float(np.sqrt(fit.covariance()[column, column]))
+    median = knob.value(fit.rig)
+    ends = sorted(knob.turned(median, position + way * half) for way in (-1, 1))
+    value = knob.turned(median, position)
+    return {"value": digits(value), "ci95": [digits(end) for end in ends], "unit": unit}
+
+
+def _unit_of(fit: Fit, knob: Knob) -> str:
+    """Return the unit in which the class of a part declares a field."""
+    from typing import get_type_hints
+
+    from torquerig.parameter import Parameter
+
+    hint = get_type_hints(type(fit.nominal.part(knob.part)), include_extras=True).get(knob.field)
+    declared = [one for one in getattr(hint, "__metadata__", ()) if isinstance(one, Parameter)]
+    return declared[0].unit if declared else "1"
+
+
+def digits(value: float) -> float:
+    """Return a number with six digits, as all numbers of an answer have."""
+    return float(f"{value:.6g}")
