@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 
 from torquerig.rig.reading_place import reading_place
 from torquerig.rig.turns import turns_per_motor_turn
@@ -71,18 +71,27 @@ def simulated_drives(
         try:
             draws, memory, listed = Draws(), ReusedMemory(), list(scenarios)
             by_stage = sorted(range(len(listed)), key=lambda row: listed[row].gearbox)  # of one speed and step
+            waiting: dict[Future[list[int]], dict[int, DriveSamples]] = {}
             for first in range(0, len(listed), AT_ONCE):
                 rows = by_stage[first : first + AT_ONCE]
-                planned = pool.map(lambda row: _planned(row, listed[row], scenarios[listed[row]], study), rows)
+                planned = (_planned(row, listed[row], scenarios[listed[row]], study) for row in rows)
                 drives = {drive.row: drive for drive in planned}
                 yield from ((row, drive.result()) for row, drive in drives.items() if not drive.planned.samples)
-                runs = [run for made in pool.map(lambda drive: list(drive.runs()), drives.values()) for run in made]
-                jobs = [pool.submit(_simulated, part, drives, draws, memory) for part in _parts(runs)]
-                for job in as_completed(jobs):
-                    yield from ((row, drives[row].result()) for row in job.result())
+                runs = [run for drive in drives.values() for run in drive.runs()]
+                queued = {pool.submit(_simulated, part, drives, draws, memory): drives for part in _parts(runs)}
+                # the workers have the runs of these drives while those of the drives before are waited for
+                yield from _completed(waiting)
+                waiting = queued
+            yield from _completed(waiting)
         except BaseException:
             pool.shutdown(cancel_futures=True)
             raise
+
+
+def _completed(jobs: Mapping[Future[list[int]], dict[int, DriveSamples]]) -> Iterator[tuple[int, DriveResult]]:
+    """Yield the row and the results of each drive as its last run is measured."""
+    for job in as_completed(jobs):
+        yield from ((row, jobs[job][row].result()) for row in job.result())
 
 
 def run_drive(candidate: Candidate, study: Study) -> DriveResult:
