@@ -8,6 +8,7 @@ from math import isclose, pi, prod
 
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.orders.kinematics.stage_kinds import ChainStage, DrivenBackwards, Untoothed
+from torquerig.orders.kinematics.teeth import Teeth
 from torquerig.rig.assembly import Rig
 from torquerig.rig.leading_part import leading_motor, leading_part
 from torquerig.rig.parts.gear_stage import GearStage
@@ -53,11 +54,10 @@ class CrossedStage:
 
     def teeth(self) -> tuple[ChainStage, ...]:
         """Return its sets of teeth in the order of the way; its ratio alone where none is known."""
-        if not self.part.teeth:
+        stated: tuple[Teeth, ...] = self.part.teeth
+        if not stated:
             return (Untoothed(abs(self.turns)),)
-        if self.backwards:
-            return tuple(DrivenBackwards(stage) for stage in reversed(self.part.teeth))
-        return self.part.teeth
+        return tuple(map(DrivenBackwards, reversed(stated))) if self.backwards else stated
 
 
 def kinematics_of(rig: Rig) -> Kinematics:

@@ -7,7 +7,7 @@ sensitivity steps leaves that noise as it was, and under a load the step is hidd
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import log10
+from math import e, log10
 from typing import NamedTuple
 
 import numpy as np
@@ -51,7 +51,7 @@ def one_gain(case: Case) -> tuple[str, Mismatch] | None:
     )
     mismatch = Mismatch(
         domain="time", axis="s", at=best.at, width=run.recording.duration / best.windows, recordings=(run.name,),
-        excess_dB=20 * log10(np.e) * best.log, share_of_misfit=0.0,
+        excess_dB=20 * log10(e) * best.log, share_of_misfit=0.0,
         p_value=float(2 * best.windows * student.sf(abs(best.clear), best.windows - 2)),
     )  # fmt: skip
     return sentence, mismatch

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import log10, pi
+from math import e, log10, pi
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,7 +63,7 @@ class _Together:
             domain=self.domain, axis="motor_shaft" if self.domain == "order" else "Hz", at=float(self.at[top]),
             width=self.width / float(self.scales.mean()),
             recordings=tuple(run.run.name for run, shown in zip(self.runs, spreads > _SHOWS, strict=True) if shown),
-            excess_dB=10 * log10(np.e) * float(heights.max()), share_of_misfit=0.0,
+            excess_dB=10 * log10(e) * float(heights.max()), share_of_misfit=0.0,
             p_value=by_chance(float(self.spreads[top]), places),
         )  # fmt: skip
 
