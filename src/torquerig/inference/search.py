@@ -100,7 +100,9 @@ def _extended(model: Model, data: Data, held: Data) -> Model | None:
         return None
     best = max(winners, key=lambda one: one.log_odds)
     added = best.additions[-1]
-    others = [(added, one.additions[-1], best.log_odds - one.log_odds) for one in fits if one is not best]
+    # one of better odds failed on the held-out data and is no alternative
+    behind = [one for one in fits if one is not best and one.log_odds <= best.log_odds]
+    others = [(added, one.additions[-1], best.log_odds - one.log_odds) for one in behind]
     return replace(best, alternatives=(*model.alternatives, *others))
 
 
