@@ -1,4 +1,4 @@
-"""Spectral density that a fitted model expects beside its lines, at any frequency."""
+"""Spectral density that a fitted model expects without its lines, at any frequency."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ Floats = NDArray[np.float64]
 
 _RESOLVED = 2.0  # [bins] half the width of a line under a Hann window; one smeared by less is fitted by regression
 _LOST = 0.1  # [1] an order that is smeared over more of its frequency is no line
-_LEFT = 1e-3  # [1] of the power of a line that a regression on a measured angle leaves beside it
+_LEFT = 1e-3  # [1] of the power of a line that a regression on a measured angle leaves next to it
 _FAR = 12  # [bins] either way: where the noise of a line is taken, and as far as its leakage is looked for
 _MEDIAN_OF_EXPONENTIAL = float(np.log(2.0))
 
@@ -36,7 +36,7 @@ class LinePowers:
     half_width : ndarray, shape (places,)
         Within so much of its frequency [Hz] everything was taken as the line.
     leakage : ndarray, shape (places,)
-        Within so much of its frequency [Hz] the spectrum beside the line holds what is left of it.
+        Within so much of its frequency [Hz] the spectrum next to the line holds what is left of it.
     residual : ndarray, shape (samples,)
         Torque without the lines [N m]; level and slope are still in it.
     """
@@ -83,7 +83,7 @@ def line_powers(run: MeasuredRun, samples: slice, places: Sequence[Place]) -> Li
 def _leakage(rest: Floats, power: Floats, frequency: Floats, *, rate: float, left: float) -> Floats:
     """Return within how many hertz of each line what a regression leaves of it exceeds the noise, shape (lines,).
 
-    The power beside a line under a Hann window falls with the sixth power of the distance in bins; ``left`` is the
+    The power next to a line under a Hann window falls with the sixth power of the distance in bins; ``left`` is the
     share of the line that the regression leaves (an angle that was estimated does not follow the shaft exactly).
     """
     step = rate / rest.size
@@ -92,8 +92,8 @@ def _leakage(rest: Floats, power: Floats, frequency: Floats, *, rate: float, lef
     answer = np.full(frequency.size, _RESOLVED)
     for row, at in enumerate(frequency.tolist()):
         middle = round(at / step)
-        beside = density[max(middle - _FAR, 1) : middle + _FAR + 1]
-        noise = 2 * float(np.median(beside)) / _MEDIAN_OF_EXPONENTIAL * step if beside.size else 0.0
+        around = density[max(middle - _FAR, 1) : middle + _FAR + 1]
+        noise = 2 * float(np.median(around)) / _MEDIAN_OF_EXPONENTIAL * step if around.size else 0.0
         if noise > 0:
             answer[row] = min(max(_RESOLVED, (left * power[row] / noise) ** (1 / 6)), _FAR)
     return answer * step

@@ -85,11 +85,11 @@ def _new_lines(ratios: Sequence[NoiseRatios], found: Sequence[FoundLine]) -> lis
             break
         if any(_same(each.place, other.place, ratios) for other in (*found, *accepted)):
             continue
-        other = [
-            rival.log_p for rival in candidates
-            if rival.place.domain != each.place.domain and _same(each.place, rival.place, ratios)
+        elsewhere = [
+            other.log_p for other in candidates
+            if other.place.domain != each.place.domain and _same(each.place, other.place, ratios)
         ]  # fmt: skip
-        accepted.append(FoundLine(each.place, each.log_p, min(other, default=0.0)))
+        accepted.append(FoundLine(each.place, each.log_p, min(elsewhere, default=0.0)))
     return accepted
 
 

@@ -42,7 +42,7 @@ class NoiseRatios:
 def noise_ratios(run: MeasuredRun, places: Sequence[Place], density: Density) -> list[NoiseRatios]:
     """Return the power over noise of what the lines at ``places`` leave in the fitted blocks of a run.
 
-    ``density`` is what a model expects beside its lines [(N m)^2/Hz] by frequency [Hz].
+    ``density`` is what a model expects without its lines [(N m)^2/Hz] by frequency [Hz].
     """
     answer = []
     for blocks in _neighbours(run):

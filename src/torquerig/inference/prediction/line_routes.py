@@ -25,7 +25,7 @@ class LineRoutes:
     place : ndarray
         Index of the place whose power it is part of; -1 where none is.
     share : ndarray
-        Share of its power that shows there [1]: a Hann window passes less of a line beside the one looked for.
+        Share of its power that shows there [1]: a Hann window passes less of a line next to the one looked for.
     band : ndarray
         Index of the band that it is in, where it is in no place; -1 above and below all bands.
     width : ndarray

@@ -82,11 +82,11 @@ def powers_and_noise(segments: Segments, places: Floats) -> tuple[Floats, Floats
         Expected squared amplitude of the noise alone, from places next to the line that hold no other one.
     """
     offsets = np.array(_NEIGHBOURS) * segments.bin
-    beside = places[:, None] + offsets
-    distance = np.abs(beside[:, :, None] - places[None, None, :]).min(axis=2)
-    valid = (distance >= _CLEAR * segments.bin) & (beside > segments.bin)
+    around = places[:, None] + offsets
+    distance = np.abs(around[:, :, None] - places[None, None, :]).min(axis=2)
+    valid = (distance >= _CLEAR * segments.bin) & (around > segments.bin)
     valid[~valid.any(axis=1)] = True  # among lines everywhere: the noise is then taken too large
-    near = np.abs(amplitudes(segments, beside.ravel())).reshape(-1, places.size, offsets.size) ** 2
+    near = np.abs(amplitudes(segments, around.ravel())).reshape(-1, places.size, offsets.size) ** 2
     noise = np.where(valid, near.mean(axis=0), 0.0).sum(axis=1) / valid.sum(axis=1)
     return np.abs(amplitudes(segments, places)) ** 2, noise
 

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-_BEFORE, _AFTER = "#0072b2", "#d55e00"  # Okabe and Ito: told apart with any colour vision
+_BEFORE, _AFTER = "#0072b2", "#d55e00"  # Okabe and Ito: distinct with any colour vision
 _PANELS = (
     ("order", "order of the output shaft"),
     ("frequency", "fixed frequency Hz"),
