@@ -49,7 +49,7 @@ def _rows(folder: Path) -> Iterator[tuple[tuple[float, ...], bool]]:
             evidence = finding.get("evidence") or {}
             if finding["mechanism"] in ("clipping", "quantization", "signal_dropout") or not evidence:
                 continue
-            best_other = max((each["gain"] for each in finding["rivals"]), default=0.0)
+            best_other = max((each["gain"] for each in finding["alternatives"]), default=0.0)
             yield terms(gain=evidence["gain"], share=evidence["share"], rival=best_other), match.effect is not None
 
 

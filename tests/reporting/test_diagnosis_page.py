@@ -113,7 +113,7 @@ def test_the_page_says_what_the_diagnosis_says(page: str, outcome: Outcome) -> N
     assert f"confidence {100 * finding.confidence:.0f} %" in text
     assert finding.explanation in text
     assert all(name in text for name in finding.parameters)
-    assert all(name.replace("_", " ") in text for name, _ in finding.rivals)
+    assert all(name.replace("_", " ") in text for name, _ in finding.alternatives)
     assert all(reason in text.replace("&#39;", "'") for reason in diagnosis.set_aside.values())
     assert "at order 84 of the output shaft periodic in the angle of the output shaft" in text
     assert all(f"{name.split('.')[0].replace('_', ' ')}" in text for name in FREE)

@@ -112,7 +112,7 @@ def test_the_page_says_what_the_diagnosis_says(page: str, found: MotionOutcome) 
     assert f"confidence {100 * finding.confidence:.0f} %" in text
     assert finding.explanation in text
     assert all(name in text for name in finding.parameters)
-    assert all(name.replace("_", " ") in text for name, _ in finding.rivals)
+    assert all(name.replace("_", " ") in text for name, _ in finding.alternatives)
     assert all(remark in text for remark in diagnosis.remarks)
     assert "torquerig diagnose a" in text
     assert "m.yaml" in text

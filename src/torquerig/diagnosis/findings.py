@@ -124,7 +124,7 @@ def reasons(case: Case, found: Searched, findings: Sequence[Finding], *, why: st
 
     ``case`` is the first, and ``why`` the reason for what was withdrawn.
     """
-    rivals = [name for each in findings for name, _ in each.rivals]
+    rivals = [name for each in findings for name, _ in each.alternatives]
     known = [each.mechanism for each in findings]
     aside = set_aside(case, found.first, known=[*known, *rivals])
     return {**aside, **{name: why for name in found.withdrawn if name not in known}}
@@ -179,7 +179,7 @@ def _finding(final: Case, accepted: Accepted, held: Sequence[Features]) -> Findi
         gain=best.gain,
         share=share,
         rest=rest_of(final, accepted),
-        rivals=listed,
+        alternatives=listed,
         equivalent_to=tuple(trial.candidate.mechanism for trial in alike),
     )
     if not alike:

@@ -39,8 +39,8 @@ class Finding:
     """One effect that was left out of the model.
 
     ``gain`` is what the misfit fell by, ``share`` the part of it at the effect's places that went, ``rest`` the mean
-    square that the finished model leaves there (1 by chance). ``rivals`` holds (mechanism, gain of the misfit) of the
-    other hypotheses that were fitted, best first.
+    square that the finished model leaves there (1 by chance). ``alternatives`` holds (mechanism, gain of the misfit) of
+    the other hypotheses that were fitted, best first.
     """
 
     mechanism: str
@@ -51,7 +51,7 @@ class Finding:
     gain: float
     share: float = 1.0
     rest: float = 0.0
-    rivals: tuple[tuple[str, float], ...] = ()
+    alternatives: tuple[tuple[str, float], ...] = ()
     equivalent_to: tuple[str, ...] = ()
     next_experiment: str | None = None
 
@@ -113,7 +113,7 @@ METRIC = (
 
 
 def as_json(diagnosis: Diagnosis) -> dict[str, Any]:
-    """Return the diagnosis in the contract's form, with ``rivals``, ``set_aside`` and ``remarks`` beside it."""
+    """Return the diagnosis in the contract's form, with ``alternatives``, ``set_aside`` and ``remarks`` beside it."""
     fit, improvement = diagnosis.fit, diagnosis.fit.improvement
     return {
         "schema": SCHEMA,
@@ -157,7 +157,7 @@ def _finding(finding: Finding) -> dict[str, Any]:
         "equivalent_to": list(finding.equivalent_to),
         "next_experiment": finding.next_experiment,
         "evidence": {name: _digits(getattr(finding, name)) for name in ("gain", "share", "rest")},
-        "rivals": [{"mechanism": name, "gain": _digits(gain)} for name, gain in finding.rivals],
+        "alternatives": [{"mechanism": name, "gain": _digits(gain)} for name, gain in finding.alternatives],
     }
 
 

@@ -63,7 +63,7 @@ def comb_at_one_speed(known_rig: Scenario, record: Record) -> Outcome:
 def test_at_one_speed_an_order_and_a_fixed_frequency_are_one_class(comb_at_one_speed: Outcome) -> None:
     (finding,) = comb_at_one_speed.diagnosis.findings
     assert {finding.mechanism, *finding.equivalent_to} == {"gear_mesh", "pwm_aliasing"}
-    gains = dict(finding.rivals)
+    gains = dict(finding.alternatives)
     (other,) = finding.equivalent_to
     # both expect the same lines, so the fits differ by no more than where a fit stops
     assert gains[other] == pytest.approx(finding.gain, rel=0.01)
@@ -101,7 +101,7 @@ def test_at_one_current_cogging_is_the_twelfth_harmonic_until_another_load_is_ru
 def test_every_mechanism_is_found_fitted_or_set_aside_with_a_reason(comb_at_one_speed: Outcome) -> None:
     diagnosis = comb_at_one_speed.diagnosis
     (finding,) = diagnosis.findings
-    fitted = {finding.mechanism, *(name for name, _ in finding.rivals)}
+    fitted = {finding.mechanism, *(name for name, _ in finding.alternatives)}
     aside = set(diagnosis.set_aside)
     assert not fitted & aside
     contract = {

@@ -16,7 +16,7 @@ from torquerig.diagnosis.outcome import Finding
 
 def test_a_withdrawn_effect_is_told_among_what_was_set_aside(monkeypatch: pytest.MonkeyPatch) -> None:
     before, after = cast(Any, SimpleNamespace(name="before")), cast(Any, SimpleNamespace(name="after"))
-    friction = cast(Finding, SimpleNamespace(mechanism="stribeck_friction", rivals=()))
+    friction = cast(Finding, SimpleNamespace(mechanism="stribeck_friction", alternatives=()))
     first, last = Tried((), ()), Tried((), ())
     found = Searched(case=after, findings=(friction,), descriptions=("noise",), first=first, last=last)
     assert list(found.in_turn(before, ())) == [found], "nothing of its own to withdraw"

@@ -66,7 +66,7 @@ def finding(step: Step, final: FittedMotion, runs: Sequence[Moved]) -> Finding:
         mechanism=candidate.mechanism, variant=candidate.variant,
         explanation=_sentence(kept, parameters, share, listed),
         confidence=confidence(gain=kept.gain, share=share, rival=max(others.values(), default=0.0)),
-        parameters=parameters, gain=kept.gain, rivals=listed,
+        parameters=parameters, gain=kept.gain, alternatives=listed,
         equivalent_to=tuple(name for name, gain in listed if gain > (1 - _ALIKE) * kept.gain),
     )  # fmt: skip
 

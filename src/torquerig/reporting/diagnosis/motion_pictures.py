@@ -48,7 +48,7 @@ def motion_pictures(
                 motion_lines_figure(lines, scale=scale),
                 caption="Spectral lines in the held-out residuals at constant speed, over position and in frequency. "
                 "Stems: significant lines, zero to peak. Curve: spectrum without these lines.",
-                told="stems of the lines in the residuals of the models, before and after, over position and frequency",
+                alt_text="stems of lines in the residuals of the models, before and after, over position and frequency",
             )
         )
     else:
@@ -61,7 +61,7 @@ def _window(shown: MotionCompared, scale: Scale) -> Picture:
         motion_window_figure(shown, scale=scale),
         caption=f"Held-out part of {shown.run.name}, sample by sample. Top: {effort_name(scale)} measured and "
         "predicted for the same motion. Bottom: residuals.",
-        told=f"{effort_name(scale)} over time, recording and model before and after, and the residuals",
+        alt_text=f"{effort_name(scale)} over time, recording and model before and after, and the residuals",
     )
 
 
@@ -70,7 +70,7 @@ def _position(shown: MotionCompared, scale: Scale) -> Picture:
         motion_position_figure(shown, scale=scale),
         caption=f"All held-out stretches of {shown.run.name} over the position. Top: {effort_name(scale)}. Bottom: "
         "residuals.",
-        told=f"{effort_name(scale)} and residuals over the position, recording and model before and after",
+        alt_text=f"{effort_name(scale)} and residuals over the position, recording and model before and after",
     )
 
 
@@ -81,7 +81,7 @@ def _speed(runs: Sequence[MotionCompared], shown: MotionCompared, scale: Scale) 
         caption=f"Held-out {effort_name(scale)} over the speed. Left: residual of the calibrated model in "
         f"{shown.run.name}{found}. Right: mean residuals of all runs, in bins of equal sample count. Grey: tolerance "
         f"of 3 % of the {effort_name(scale)}.",
-        told="residuals over speed with the effect of the findings, and mean residuals by speed before and after",
+        alt_text="residuals over speed with the effect of the findings, and mean residuals by speed before and after",
     )
 
 
@@ -90,5 +90,5 @@ def _residuals(runs: Sequence[MotionCompared], scale: Scale) -> Picture:
     return picture(
         motion_residual_figure(runs, scale=scale),
         caption=f"Residuals over time{which}. Shaded: held-out stretches. Background: measured {effort_name(scale)}.",
-        told="residuals over time of each run, before and after",
+        alt_text="residuals over time of each run, before and after",
     )

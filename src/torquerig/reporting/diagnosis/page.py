@@ -40,7 +40,7 @@ def diagnosis_page(
         How much the findings change the reading, for the first screen.
     """
     diagnosis = outcome.diagnosis
-    alternatives = [tables.alternatives_table(each) if each.rivals else None for each in diagnosis.findings]
+    alternatives = [tables.alternatives_table(each) if each.alternatives else None for each in diagnosis.findings]
     content = {
         "limits": LIMITS, "metric": METRIC,
         "answer": diagnosis_answer(as_json(diagnosis), effect, percent=False),

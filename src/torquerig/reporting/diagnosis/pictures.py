@@ -25,7 +25,7 @@ def mismatch_picture(listed: Sequence[Mismatch]) -> Picture | None:
     return picture(
         mismatch_figure(listed),
         caption=f"{which} where recordings and calibrated model differ, by share of the squared residual.",
-        told="bars of the shares of the squared residual by place, largest first",
+        alt_text="bars of the shares of the squared residual by place, largest first",
     )
 
 
@@ -35,7 +35,7 @@ def slow_torque_picture(runs: Sequence[Compared]) -> Picture:
         slow_torque_figure(runs),
         caption="Slow torque over time. Shaded: held-out stretches. Runs that reverse: simulation of the models. "
         "Other runs: mean level of the models, because the variation of the load is random.",
-        told="torque over time of each run, with the level that the model predicts before and after",
+        alt_text="torque over time of each run, with the level that the model predicts before and after",
     )
 
 
@@ -51,7 +51,7 @@ def comparison_pictures(outcome: Outcome, runs: Sequence[Compared]) -> tuple[Pic
                 diagnosis_window_figure(shown, ratio=ratio),
                 caption=f"A held-out window of {name}. The models predict the amplitudes of the lines. Their phases "
                 "are taken from the recording, because they depend on the start position.",
-                told="recording and the lines of the model before and after over a short time",
+                alt_text="recording and the lines of the model before and after over a short time",
             )
         )
         labels = line_labels(outcome, shown)
@@ -60,7 +60,7 @@ def comparison_pictures(outcome: Outcome, runs: Sequence[Compared]) -> tuple[Pic
                 diagnosis_spectrum_figure(shown, labels, ratio=ratio),
                 caption=f"Held-out part of {name} over the orders of the output shaft, with simulations of the model "
                 "before and after. Grey labels: lines of the nominal model. Red: found missing. Brown: unexplained.",
-                told="amplitude over order, recording and model, lines labelled by cause",
+                alt_text="amplitude over order, recording and model, lines labelled by cause",
             )
         )
     if has_residuals(shown, turning):
@@ -69,7 +69,7 @@ def comparison_pictures(outcome: Outcome, runs: Sequence[Compared]) -> tuple[Pic
                 diagnosis_residual_figure(shown, turning),
                 caption="Held-out residuals of the models: spectrum between the lines, each line, and the slow torque "
                 "of a run that reverses. Grey: 95 % range of a true model.",
-                told="residuals of the model before and after",
+                alt_text="residuals of the model before and after",
             )
         )
     return tuple(pictures)

@@ -29,7 +29,7 @@ def parameters_table(finding: Finding) -> Table:
 
 def alternatives_table(finding: Finding) -> Table:
     """Return the hypotheses that were fitted with all parameters free, and by what chi-square fell."""
-    scores = [(finding.mechanism, finding.gain), *finding.rivals]
+    scores = [(finding.mechanism, finding.gain), *finding.alternatives]
     rows = [
         (*words(mechanism_text(name)), number(plain(gain, 4)),
          number(f"{100 * gain / finding.gain:.1f} %" if finding.gain > 0 else "?"), *words(_judged(finding, name)))

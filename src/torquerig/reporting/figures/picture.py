@@ -39,7 +39,7 @@ class Picture:
     ----------
     source : str
         All of the image as an address.
-    caption, told : str
+    caption, alt_text : str
         The text below it, and its text alternative.
     name : str
         Name of its files, and of its place on the page.
@@ -51,7 +51,7 @@ class Picture:
 
     source: str
     caption: str
-    told: str
+    alt_text: str
     name: str = ""
     csv: str = ""
     plot: str = ""
@@ -75,7 +75,7 @@ def new_figure(width: float, height: float) -> Figure:
 
 
 def picture(
-    figure: Figure, *, caption: str, told: str, name: str = "", csv: str = "", plot: Mapping[str, Any] | None = None
+    figure: Figure, *, caption: str, alt_text: str, name: str = "", csv: str = "", plot: Mapping[str, Any] | None = None
 ) -> Picture:
     """Return a figure as an image that a page can hold inline.
 
@@ -88,7 +88,7 @@ def picture(
     """
     drawn = svg(figure)
     return Picture(
-        source=f"data:image/svg+xml;base64,{b64encode(drawn).decode()}", caption=caption, told=told, name=name,
+        source=f"data:image/svg+xml;base64,{b64encode(drawn).decode()}", caption=caption, alt_text=alt_text, name=name,
         csv=csv_script(csv) if csv else "", plot=plot_name(name) if plot else "",
         data=data_script(f"data-{plot_name(name)}", plot) if plot else "",
     )  # fmt: skip

@@ -42,7 +42,7 @@ class FindingJson:
     equivalent_to: list[str]
     next_experiment: str | None
     evidence: dict[str, Any] | None = None
-    rivals: list[dict[str, Any]] | None = None
+    alternatives: list[dict[str, Any]] | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -44,7 +44,7 @@ def _pictures(worked: MatrixAnalysis) -> dict[str, Picture]:
             caption="Value profile: bar length is points, bar height is weight, so the area is T. Lines are the "
             "range of "
             "uncertain points. Orange bars are weak spots.",
-            told="bars of points per criterion and alternative",
+            alt_text="bars of points per criterion and alternative",
             name="value_profile",
             csv=points_csv(worked.overall),
         )
@@ -54,7 +54,7 @@ def _pictures(worked: MatrixAnalysis) -> dict[str, Picture]:
             strength_figure(worked.strength, winners=worked.verdict.winners),
             caption="S-diagram: the ideal is at (1, 1); on the diagonal both ratings are equal. Curves have equal "
             "sqrt(x y), lines are uncertain ranges, the orange area is unsatisfactory.",
-            told="technical against economic rating of each alternative",
+            alt_text="technical against economic rating of each alternative",
             name="s_diagram",
             csv=strength_csv(worked.strength),
         )

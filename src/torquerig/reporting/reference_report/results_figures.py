@@ -39,11 +39,11 @@ def results_pictures(results: ReportResults) -> tuple[Picture, ...]:
     return (
         picture(first, caption=f"Figure 4.1: spectrum of the unfiltered torque at {LOW:g} % occupancy, with the "
                 "report's lines, each at the frequency of the report's equations.",
-                told="amplitude spectrum of the torque with its lines"),
+                alt_text="amplitude spectrum of the torque with its lines"),
         picture(pair((f"{HIGH:g} % occupancy", results.high), (f"{LOW:g} % occupancy", low)),
                 caption="Figures 4.2 and 4.3: spectrum at high and low load. The report reads a drop of 59 % of the "
                 f"mechanical noise; the first line of the output shaft falls here by {results.drop.percent:.1f} %.",
-                told="amplitude spectra at high and at low load"),
+                alt_text="amplitude spectra at high and at low load"),
         _control(results, speed),
         _sizes(results, speed),
         *_steps(results),
@@ -85,7 +85,7 @@ def _control(results: ReportResults, speed: float) -> Picture:
     before = low.with_values(low.torque_name(), values / low.channels[low.torque_name()].si_per_unit)
     figure = pair_figure(("control signal", before), ("filtered", results.chain.apply(before)),
                          lines=results.chain.lines, motor_speed=speed, logarithmic=False)  # fmt: skip
-    return picture(figure, told="spectrum of the control signal before and after the filter",
+    return picture(figure, alt_text="spectrum of the control signal before and after the filter",
                    caption="Figures 4.4 and 4.5: the control signal, all frequencies at equal amplitude, before and "
                    "after the filter: no signal remains in the bands, and the signal outside them is "
                    "unchanged.")  # fmt: skip
@@ -96,7 +96,7 @@ def _sizes(results: ReportResults, speed: float) -> Picture:
     names = [f"{1e3 * (one.run.particle_size or 0):g} mm" for one in (results.small, results.large)]
     bulk = [half_power_frequency(chain.apply(one)) for one in (results.small, results.large)]
     figure = pair_figure((names[0], results.small), (names[1], results.large), lines=lines, motor_speed=speed)
-    return picture(figure, told="amplitude spectra with small and with large particles",
+    return picture(figure, alt_text="amplitude spectra with small and with large particles",
                    caption=f"Figures 4.6 and 4.7: spectrum with the smallest and the largest particles at "
                    f"{results.fit.occupancy:g} % occupancy. The report expected higher frequencies with small "
                    f"particles "
@@ -118,7 +118,7 @@ def _steps(results: ReportResults) -> list[Picture]:
         if made and cut - before < _NOTHING:
             caption += " The last bands have no effect: this rig has no line there, but the report has."
         figure = four_panels(_start(results.low), _start(after))
-        made.append(picture(figure, told="original, filtered, both, and their rolling means", caption=caption))
+        made.append(picture(figure, alt_text="original, filtered, both, and their rolling means", caption=caption))
         before = cut
     return made
 
@@ -132,8 +132,8 @@ def _reading(results: ReportResults) -> tuple[Picture, ...]:
     )
     first, last = (signal_figure(low, one, start=1.0, duration=_SHOWN) for one in (low, after))
     return (
-        picture(first, told="the torque and the true load over time", caption=raw),
-        picture(last, told="the torque before and after the filter", caption=filtered),
+        picture(first, alt_text="the torque and the true load over time", caption=raw),
+        picture(last, alt_text="the torque before and after the filter", caption=filtered),
     )
 
 

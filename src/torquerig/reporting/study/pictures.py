@@ -69,7 +69,7 @@ def error_picture(runs: StudyRuns, *, present: str) -> Picture | None:
         error_figure(runs.drives, present=present),
         caption="Reading error of each drive with each filter, bars over the Monte Carlo samples; the present "
         "drive is bold",
-        told="Dots of the reading error, a row per drive and a colour per filter; the next table has the numbers.",
+        alt_text="Dots of the reading error, a row per drive and a colour per filter; the next table has the numbers.",
         name="reading_errors", csv=errors_csv(runs),
     )  # fmt: skip
 
@@ -80,7 +80,7 @@ def shares_picture(runs: StudyRuns) -> Picture | None:
         return None
     return picture(
         shares_figure(runs.drives), caption="Shares of the sensor's reading, unfiltered",
-        told="Stacked bars of load, cogging, electrical and mechanical share; the tables above have the numbers.",
+        alt_text="Stacked bars of load, cogging, electrical and mechanical share; the tables above have the numbers.",
         name="shares", csv=shares_csv(runs),
     )  # fmt: skip
 
@@ -95,7 +95,7 @@ def rating_picture(decided: Decided, *, winner: str) -> Picture | None:
         rating_figure(decided.technical, decided.economic, named=named),
         caption="Technical against economic rating; the numbers mark the best drives with their best filter, "
         "and the present one",
-        told="Scatter of technical rating x against economic rating y of all combinations.",
+        alt_text="Scatter of technical rating x against economic rating y of all combinations.",
         name="s_diagram", csv=ratings_csv(decided),
     )  # fmt: skip
 
@@ -108,7 +108,7 @@ def first_picture(shown: Filtered) -> Picture:
         signal_figure(shown.before, after, start=start),
         caption=f"{shown.drive.candidate.name} with the filter {shown.chain.name}: reading before and after, and the "
         "true load.",
-        told="Torque over time before and after the filter, and the true load.",
+        alt_text="Torque over time before and after the filter, and the true load.",
         name="reading", plot=signal_plot(shown.before, after, target=plot_name("reading"), start=start),
     )  # fmt: skip
 
@@ -127,7 +127,7 @@ def reading_pictures(
         signal = f"reading_{number}"
         yield picture(
             signal_figure(shown.before, after, start=start), caption=f"{name}: 0.3 s of the reading",
-            told="Torque over time before and after the filter, and the true load.",
+            alt_text="Torque over time before and after the filter, and the true load.",
             name=signal,
             plot=signal_plot(shown.before, after, target=plot_name(signal), start=start) if moves else None,
         )  # fmt: skip
@@ -137,7 +137,7 @@ def reading_pictures(
     yield picture(
         spectrum_figure(shown.before, after, lines=lines, motor_speed=speed, ratio=shown.kinematics.ratio),
         caption=f"{name}: amplitude spectrum (Hann window) over frequency, lines with their causes",
-        told="Spectrum before and after the filter; thin lines mark shaft, motor, cogging and electrical lines.",
+        alt_text="Spectrum before and after the filter; thin lines mark shaft, motor, cogging and electrical lines.",
         name=spectrum, plot=spectrum_plot(
             shown.before, after, target=plot_name(spectrum), lines=lines, motor_speed=speed, highest=highest,
         ),
@@ -160,7 +160,7 @@ def report_filter(drive: DriveResult, runs: StudyRuns) -> tuple[Picture, Table] 
         notch_figure(shown.before, shown.after, levels=effect.levels, motor_speed=shown.motor_speed),
         caption=f"{drive.candidate.name}: spectrum before and after the filter; triangles mark its "
         f"{len(effect.levels)} notched lines",
-        told="Spectra before and after the filter; the amplitude at each marked line is near zero after it.",
+        alt_text="Spectra before and after the filter; the amplitude at each marked line is near zero after it.",
         name="notched_lines",
         csv=levels_csv(effect, unit=drive.disturbance.unit),
     )
