@@ -25,6 +25,7 @@ from torquerig.whole_file import whole_file
 if TYPE_CHECKING:
     from torquerig.diagnosis.engine import Outcome
     from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
+    from torquerig.diagnosis.showing.effect_at_sensor import EffectAtSensor
     from torquerig.inference.engine import Outcome as LikelihoodOutcome
     from torquerig.recordings.recording import Recording
     from torquerig.rig.assembly import Rig
@@ -106,16 +107,18 @@ def command(
         )  # fmt: skip
         write_scenario(target, text, overwrite=True)
         data["model"] = str(target)
+    shows = not isinstance(outcome, LikelihoodOutcome) and (report is not None or out != "-")
+    effect = _effect(outcome, made.rig, seed) if shows else None
     if report is not None and not isinstance(outcome, LikelihoodOutcome):
         again = _command(recordings, scenario, settings=settings, seed=seed)
-        page = _page(outcome, title=made.title, command=again, model=_named(data["model"]), seed=seed, nominal=made.rig)
+        page = _page(outcome, title=made.title, command=again, model=_named(data["model"]), seed=seed, effect=effect)
         with whole_file(report) as partial:
             partial.write_text(page, encoding="utf-8", newline="\n")
     if out == "-":
         click.echo(json_text(data), nl=False)
         return
     is_new = isinstance(outcome, LikelihoodOutcome)
-    click.echo("\n".join(answer_lines_of(data) if is_new else _answer(outcome, data, made.rig, seed=seed)))
+    click.echo("\n".join(answer_lines_of(data) if is_new else _answer(outcome, data, effect)))
     if out is not None:
         write_json(json_text(data), out)
     for path in (report, data["model"]):
@@ -169,16 +172,20 @@ def _options() -> dict[str, Any]:
     return stated_options(click.get_current_context(), without=("recordings", "scenario", "out"))
 
 
-def _answer(outcome: Outcome | MotionOutcome, data: Mapping[str, Any], nominal: Rig, *, seed: int) -> list[str]:
+def _effect(outcome: Outcome | MotionOutcome, nominal: Rig, seed: int) -> EffectAtSensor | None:
+    from torquerig.diagnosis.showing.effect_at_sensor import effect_at_sensor
+
+    return effect_at_sensor(outcome, nominal=nominal, seed=seed)
+
+
+def _answer(outcome: Outcome | MotionOutcome, data: Mapping[str, Any], effect: EffectAtSensor | None) -> list[str]:
     """Return what is missing, how large, how sure, and what to do next."""
     from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
-    from torquerig.diagnosis.showing.effect_at_sensor import effect_at_sensor
     from torquerig.reporting.diagnosis.answer_text import answer_lines
     from torquerig.reporting.diagnosis.sentences import FEATURE_RESIDUAL, MOTION_RESIDUAL, verdict_sentence
 
     measure = MOTION_RESIDUAL if isinstance(outcome, MotionOutcome) else FEATURE_RESIDUAL
     sentence = verdict_sentence(outcome.diagnosis, outcome.left, measure=measure)
-    effect = effect_at_sensor(outcome, nominal=nominal, seed=seed)
     shown = "" if effect is None else effect.sentence
     return answer_lines(data, verdict=sentence, effect=shown, remarks=outcome.diagnosis.remarks)
 
@@ -218,14 +225,13 @@ def _check(
 
 
 def _page(
-    outcome: Outcome | MotionOutcome, *, title: str, command: str, model: str | None, seed: int, nominal: Rig
-) -> str:
+    outcome: Outcome | MotionOutcome, *, title: str, command: str, model: str | None, seed: int,
+    effect: EffectAtSensor | None,
+) -> str:  # fmt: skip
     from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
-    from torquerig.diagnosis.showing.effect_at_sensor import effect_at_sensor
     from torquerig.reporting.diagnosis.motion_page import motion_page
     from torquerig.reporting.diagnosis.page import diagnosis_page
 
-    effect = effect_at_sensor(outcome, nominal=nominal, seed=seed)
     if isinstance(outcome, MotionOutcome):
         return motion_page(outcome, title=title, command=command, model=model, seed=seed, effect=effect)
     return diagnosis_page(outcome, title=title, command=command, model=model, seed=seed, effect=effect)

@@ -9,6 +9,7 @@ import numpy as np
 from torquerig.diagnosis.engine import Outcome
 from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
 from torquerig.diagnosis.motion.lines import in_a_line
+from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.rig.reading_place import effort_unit
 from torquerig.simulation.simulator import simulate
@@ -27,15 +28,17 @@ class EffectAtSensor:
 
 
 def effect_at_sensor(outcome: Outcome | MotionOutcome, *, nominal: Rig, seed: int) -> EffectAtSensor | None:
-    """Return how much the findings change the reading; None without a finding.
+    """Return how much the findings change the reading; None without a finding, or if a model cannot be simulated.
 
-    With measured motion it is the rms that the findings take from the held-out residual. Else the calibrated and the
-    completed model are simulated with the same random numbers, in the conditions of the first recording. ``nominal`` is
-    the rig of the scenario.
+    With measured motion it is the rms that the findings take from the held-out residual. Else the completed model is
+    simulated with and without the findings, all other parameters and random numbers alike, in the conditions of each
+    recording; the largest change counts. ``nominal`` is the rig of the scenario.
     """
     if not outcome.diagnosis.findings:
         return None
-    return _of_motion(outcome) if isinstance(outcome, MotionOutcome) else _simulated(outcome, nominal, seed)
+    if isinstance(outcome, MotionOutcome):
+        return _of_motion(outcome)
+    return None if outcome.diagnosis.fit.by_twin else _simulated(outcome, nominal, seed)
 
 
 def _of_motion(outcome: MotionOutcome) -> EffectAtSensor:
@@ -52,23 +55,34 @@ def _of_motion(outcome: MotionOutcome) -> EffectAtSensor:
 
 
 def _simulated(outcome: Outcome, nominal: Rig, seed: int) -> EffectAtSensor:
-    recording = outcome.before.runs[0].recording
+    without = without_findings(outcome, nominal)
+    rms, name = max((_change(outcome.completed, without, run.recording, seed), run.name) for run in outcome.before.runs)
     unit = effort_unit(outcome.completed)
-    length = min(recording.duration, LONGEST)
-    readings = [
-        simulate(rig.at(recording.run), duration=length, seed=seed, sample_rate=recording.sample_rate).torque()
-        for rig in (_without_findings(outcome, nominal), outcome.completed)
-    ]
-    change = float(np.sqrt(np.mean((readings[1] - readings[0]) ** 2)))
+    where = f" in {name}" if len(outcome.before.runs) > 1 else ""
     return EffectAtSensor(
-        change, unit, f"The findings change the reading by {change:.3g} {unit.replace('*', ' ')} rms (simulated)."
+        rms, unit, f"The findings change the reading by {rms:.3g} {unit.replace('*', ' ')} rms{where} (simulated)."
     )
 
 
-def _without_findings(outcome: Outcome, nominal: Rig) -> Rig:
-    """Return the calibrated model; faults of samples, which it has during the fits, are taken out of it."""
-    stated = {part.name for part in nominal.parts}
-    rig = outcome.before.model.rig
-    for part in outcome.before.model.rig.parts:
-        rig = rig if part.name in stated else rig.without(part.name)
+def _change(completed: Rig, without: Rig, recording: Recording, seed: int) -> float:
+    """Return the rms of the difference of two rigs' readings in the conditions of a recording."""
+    length = min(recording.duration, LONGEST)
+    readings = [
+        simulate(rig.at(recording.run), duration=length, seed=seed, sample_rate=recording.sample_rate).torque()
+        for rig in (completed, without)
+    ]
+    return float(np.sqrt(np.mean((readings[0] - readings[1]) ** 2)))
+
+
+def without_findings(outcome: Outcome, nominal: Rig) -> Rig:
+    """Return the completed model without the parts of its findings; effects that have no name stay in it.
+
+    The calibrated model does not serve: its parameters were fitted without the findings, and their shift would count as
+    a change of the reading.
+    """
+    kept = {part.name for part in nominal.parts}
+    kept |= {part.name for one in outcome.after.accepted if one.description for part in one.parts}
+    rig = outcome.completed
+    for part in outcome.completed.parts:
+        rig = rig if part.name in kept else rig.without(part.name)
     return rig

@@ -110,7 +110,7 @@ def _size_figure(data: Mapping[str, Any], effect: EffectAtSensor | None) -> Larg
     if effect is not None:
         return LargeFigure(name=name, value=f"{effect.rms:.3g} {effect.unit.replace('*', ' ')}", note="rms")
     if data["findings"]:
-        return LargeFigure(name=name, value="not computed", note="the command computes it for its report")
+        return LargeFigure(name=name, value="not computed", note="needs a simulation of the completed model")
     return LargeFigure(name=name, value="none", note="no finding changes the reading")
 
 
