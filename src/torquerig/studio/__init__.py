@@ -1,0 +1,1 @@
+"""The studio: a local page that works on the files of a folder, in six steps."""
