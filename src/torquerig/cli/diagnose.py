@@ -23,10 +23,7 @@ from torquerig.scenario.writing import scenario_text, write_scenario
 from torquerig.whole_file import whole_file
 
 if TYPE_CHECKING:
-    from torquerig.diagnosis.engine import Outcome
-    from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
-    from torquerig.diagnosis.showing.effect_at_sensor import EffectAtSensor
-    from torquerig.inference.engine import Outcome as LikelihoodOutcome
+    from torquerig.cli.diagnosed import Diagnosed
     from torquerig.recordings.recording import Recording
     from torquerig.rig.assembly import Rig
     from torquerig.scenario.model import Scenario
@@ -64,11 +61,15 @@ _HEAD = f"{_MARK}: the nominal rig with fitted parameters and the findings."
     show_default=True,
     help="How hypotheses are compared; likelihood is under development (docs/known-limits.md).",
 )
+@click.option("--held-out", "held_out", multiple=True, metavar="RECORDING",
+              help="Recording that is not fitted and judges the models (may be repeated, needs --engine likelihood); "
+              "default: a third of every recording.")  # fmt: skip
 @set_option
 @catalog_option
 def command(
     *, recordings: tuple[Path, ...], scenario: Path, out: str | None, report: Path | None, model: Path | None,
-    check: bool, seed: int, workers: int | None, engine: str, settings: tuple[str, ...], catalogs: tuple[Path, ...],
+    check: bool, seed: int, workers: int | None, engine: str, held_out: tuple[str, ...], settings: tuple[str, ...],
+    catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Find which physics the SCENARIO lacks, given RECORDINGS of one rig.
 
@@ -79,16 +80,13 @@ def command(
 
     Example: torquerig diagnose run1.parquet run2.parquet --scenario scenarios/wear_rig.yaml --report found.html
     """
+    _check_options(engine, held_out, report)
     if check:
         _check(recordings, scenario, settings, catalogs, seed=seed, out=out)
         return
-    if engine == "likelihood" and report is not None:
-        raise click.UsageError("--engine likelihood writes no page yet; leave out --report, or --engine.")
-    from torquerig.cli.diagnose_likelihood import answer_lines_of
     from torquerig.cli.progress import stages
     from torquerig.diagnosis.outcome import SCHEMA
     from torquerig.diagnosis.side_by_side import side_by_side
-    from torquerig.inference.engine import Outcome as LikelihoodOutcome
 
     target = model or _model_of(out)
     written = [(target, _MARK)] if target else []
@@ -98,58 +96,59 @@ def command(
     made = read_scenario(edited(scenario, settings), catalog_for(scenario, catalogs), seed=seed)
     read = _read(recordings)
     with stages("diagnose") as progress, side_by_side(workers or min(os.cpu_count() or 1, _MOST_WORKERS)):
-        outcome, data = _ENGINES[engine](made, read, seed, progress)
+        found = _ENGINES[engine](made, read, held_out, seed, progress)
+    data = {**found.data}
     data["provenance"] = _provenance((*recordings, *map(sidecar_path, recordings), scenario), scenario, catalogs, seed)
-    if outcome.completes and target is not None:
-        text = scenario_text(
-            outcome.completed, title=made.title, operating_point=made.document.data.get("operating_point", {}),
-            head=_HEAD,
-        )  # fmt: skip
-        write_scenario(target, text, overwrite=True)
+    if found.completed is not None and target is not None:
+        _write_model(target, found.completed, made)
         data["model"] = str(target)
-    shows = not isinstance(outcome, LikelihoodOutcome) and (report is not None or out != "-")
-    effect = _effect(outcome, made.rig, seed) if shows else None
-    if report is not None and not isinstance(outcome, LikelihoodOutcome):
-        again = _command(recordings, scenario, settings=settings, seed=seed)
-        page = _page(outcome, title=made.title, command=again, model=_named(data["model"]), seed=seed, effect=effect)
+    if out is not None:  # before the page: whatever happens to it, the answer is there
+        click.echo(json_text(data), nl=False) if out == "-" else write_json(json_text(data), out)
+    if report is not None:
+        again = _command(recordings, scenario, settings=settings, held_out=held_out, engine=engine, seed=seed)
+        page = found.page(data, command=again, model=_named(data["model"]))
         with whole_file(report) as partial:
             partial.write_text(page, encoding="utf-8", newline="\n")
     if out == "-":
-        click.echo(json_text(data), nl=False)
         return
-    is_new = isinstance(outcome, LikelihoodOutcome)
-    click.echo("\n".join(answer_lines_of(data) if is_new else _answer(outcome, data, effect)))
-    if out is not None:
-        write_json(json_text(data), out)
+    click.echo("\n".join(found.lines(data)))
     for path in (report, data["model"]):
         if path is not None:
             click.echo(f"wrote {path}")
 
 
-def _by_rules(
-    scenario: Scenario, recordings: Sequence[Recording], seed: int, progress: Callable[[str], None]
-) -> tuple[Outcome | MotionOutcome, dict[str, Any]]:
-    """Return the outcome and its JSON by the first engine."""
-    from torquerig.diagnosis.any_rig import diagnosed
-    from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
-    from torquerig.diagnosis.outcome import as_json
+def _check_options(engine: str, held_out: Sequence[str], report: Path | None) -> None:
+    if held_out and engine != "likelihood":
+        raise click.UsageError("--held-out needs --engine likelihood; the other engine holds out parts of every run.")
+    if engine == "likelihood" and report is not None:
+        raise click.UsageError("--engine likelihood writes no page yet; leave out --report, or --engine.")
 
-    outcome = diagnosed(scenario, recordings, seed=seed, progress=progress)
-    return outcome, outcome.as_json() if isinstance(outcome, MotionOutcome) else as_json(outcome.diagnosis)
+
+def _write_model(target: Path, completed: Rig, made: Scenario) -> None:
+    text = scenario_text(
+        completed, title=made.title, operating_point=made.document.data.get("operating_point", {}), head=_HEAD
+    )
+    write_scenario(target, text, overwrite=True)
+
+
+def _by_rules(
+    scenario: Scenario, recordings: Sequence[Recording], _: Sequence[str], seed: int, progress: Callable[[str], None]
+) -> Diagnosed:
+    from torquerig.cli.diagnose_rules import diagnosed_by_rules
+
+    return diagnosed_by_rules(scenario, recordings, seed=seed, progress=progress)
 
 
 def _by_likelihood(
-    scenario: Scenario, recordings: Sequence[Recording], _: int, progress: Callable[[str], None]
-) -> tuple[LikelihoodOutcome, dict[str, Any]]:
-    """Return the same by the second engine, which draws no random numbers."""
+    scenario: Scenario, recordings: Sequence[Recording], held_out: Sequence[str], seed: int,
+    progress: Callable[[str], None],
+) -> Diagnosed:  # fmt: skip
     from torquerig.cli.diagnose_likelihood import diagnosed_by_likelihood
-    from torquerig.inference.answer import as_json
 
-    outcome = diagnosed_by_likelihood(scenario, recordings, progress=progress)
-    return outcome, as_json(outcome)
+    return diagnosed_by_likelihood(scenario, recordings, held_out=held_out, seed=seed, progress=progress)
 
 
-_ENGINES: Mapping[str, Callable[..., tuple[Any, dict[str, Any]]]] = {"rules": _by_rules, "likelihood": _by_likelihood}
+_ENGINES: Mapping[str, Callable[..., Diagnosed]] = {"rules": _by_rules, "likelihood": _by_likelihood}
 
 
 def _model_of(out: str | None) -> Path | None:
@@ -170,24 +169,6 @@ def _provenance(inputs: Sequence[Path], scenario: Path, catalogs: Sequence[Path]
 
 def _options() -> dict[str, Any]:
     return stated_options(click.get_current_context(), without=("recordings", "scenario", "out"))
-
-
-def _effect(outcome: Outcome | MotionOutcome, nominal: Rig, seed: int) -> EffectAtSensor | None:
-    from torquerig.diagnosis.showing.effect_at_sensor import effect_at_sensor
-
-    return effect_at_sensor(outcome, nominal=nominal, seed=seed)
-
-
-def _answer(outcome: Outcome | MotionOutcome, data: Mapping[str, Any], effect: EffectAtSensor | None) -> list[str]:
-    """Return what is missing, how large, how sure, and what to do next."""
-    from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
-    from torquerig.reporting.diagnosis.answer_text import answer_lines
-    from torquerig.reporting.diagnosis.sentences import FEATURE_RESIDUAL, MOTION_RESIDUAL, verdict_sentence
-
-    measure = MOTION_RESIDUAL if isinstance(outcome, MotionOutcome) else FEATURE_RESIDUAL
-    sentence = verdict_sentence(outcome.diagnosis, outcome.left, measure=measure)
-    shown = "" if effect is None else effect.sentence
-    return answer_lines(data, verdict=sentence, effect=shown, remarks=outcome.diagnosis.remarks)
 
 
 def _read(paths: tuple[Path, ...]) -> list[Recording]:
@@ -224,24 +205,16 @@ def _check(
         write_json(json_text(document), out)
 
 
-def _page(
-    outcome: Outcome | MotionOutcome, *, title: str, command: str, model: str | None, seed: int,
-    effect: EffectAtSensor | None,
+def _command(
+    recordings: tuple[Path, ...], scenario: Path, *, settings: tuple[str, ...], held_out: tuple[str, ...], engine: str,
+    seed: int,
 ) -> str:  # fmt: skip
-    from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
-    from torquerig.reporting.diagnosis.motion_page import motion_page
-    from torquerig.reporting.diagnosis.page import diagnosis_page
-
-    if isinstance(outcome, MotionOutcome):
-        return motion_page(outcome, title=title, command=command, model=model, seed=seed, effect=effect)
-    return diagnosis_page(outcome, title=title, command=command, model=model, seed=seed, effect=effect)
-
-
-def _command(recordings: tuple[Path, ...], scenario: Path, *, settings: tuple[str, ...], seed: int) -> str:
     """Return the command that reproduces the diagnosis, without folders of this machine."""
     edits = [part for setting in settings for part in ("--set", setting)]
     names = [_named(path) or "" for path in recordings]
     fixed = ["--seed", str(seed)] if seed else []
+    fixed += ["--engine", engine] if engine != "rules" else []
+    fixed += [part for name in held_out for part in ("--held-out", Path(name).name)]
     return shlex.join(
         ["torquerig", "diagnose", *names, "--scenario", _named(scenario) or "", *edits, *fixed, "--json",
          "diagnosis.json", "--report", "diagnosis.html"]

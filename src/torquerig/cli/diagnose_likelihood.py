@@ -2,41 +2,50 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
 from typing import Any
 
+from torquerig.cli.diagnosed import Diagnosed
 from torquerig.diagnosis.motion.moved import under_measured_motion
 from torquerig.errors import InputError
+from torquerig.inference.answer import as_json
 from torquerig.inference.engine import Outcome, diagnose
 from torquerig.recordings.recording import Recording
+from torquerig.reporting.diagnosis.answer_text import answer_lines
+from torquerig.reporting.diagnosis.likelihood_sentences import remarks_of, verdict_of
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.recorded.compared_channel import as_measured
 
-_VERDICTS = {
-    "adequate": "The model explains the recordings; nothing is missing that they can show.",
-    "missing_physics": "The model lacks physics; with the findings below it explains the recordings.",
-    "setup_error": "The model explains the recordings once the numbers below are corrected.",
-    "unexplained": "Something remains that no mechanism explains.",
-}
-
 
 def diagnosed_by_likelihood(
-    scenario: Scenario, recordings: Sequence[Recording], *, progress: Callable[[str], None]
-) -> Outcome:
-    """Return the outcome; InputError for a rig whose motion was measured, which this engine does not compare yet."""
+    scenario: Scenario, recordings: Sequence[Recording], *, held_out: Sequence[str], seed: int,
+    progress: Callable[[str], None],
+) -> Diagnosed:  # fmt: skip
+    """Return the diagnosis by the second engine.
+
+    ``held_out`` holds recordings, as paths or names, that are not fitted.
+
+    Raises
+    ------
+    InputError
+        For a rig whose motion was measured, which this engine does not compare yet.
+    """
     if under_measured_motion(scenario.rig):
         raise InputError("--engine likelihood does not compare rigs whose motion was measured yet; leave --engine out")
-    return diagnose(scenario, as_measured(recordings, scenario.rig), progress=progress)
+    names = [Path(one).name for one in held_out]
+    outcome = diagnose(scenario, as_measured(recordings, scenario.rig), held_out=names, progress=progress)
+    return Diagnosed(
+        data=as_json(outcome), completed=outcome.completed if outcome.completes else None, lines=_lines,
+        page=partial(_page, outcome=outcome, title=scenario.title, seed=seed),
+    )  # fmt: skip
 
 
-def answer_lines_of(data: Mapping[str, Any]) -> Iterator[str]:
-    """Yield the answer: the verdict, what was found with its size and confidence, and how the residual fell."""
-    yield _VERDICTS[data["verdict"]]
-    for each in (*data["findings"], *data["unnamed"]):
-        size = each["size"]
-        yield f"{each['explanation']} {size['value']:.3g} {size['unit']}, confidence {each['confidence']:.2f}."
-    for each in data["setup"]:
-        yield f"{each['explanation']} Confidence {each['confidence']:.2f}."
-    fit = data["fit"]
-    before, after = fit["before"]["heldout_misfit"], fit["after"]["heldout_misfit"]
-    yield f"Mean squared standardised residual of held-out data: {before:.3g} before, {after:.3g} after."
+def _lines(data: Mapping[str, Any]) -> list[str]:
+    """Return what is missing, how large in N m, how sure, from what it cannot be told, and what to do next."""
+    return answer_lines(data, verdict=verdict_of(data), remarks=remarks_of(data))
+
+
+def _page(data: Mapping[str, Any], *, outcome: Outcome, title: str, command: str, model: str | None, seed: int) -> str:
+    raise NotImplementedError

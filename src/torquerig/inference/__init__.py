@@ -8,6 +8,6 @@ setup_faults            readings of the samples with a fact of the set-up correc
 parameters, fit         the nominal rig's numbers, their maximum of the posterior, and the evidence
 additions/, addition    hypotheses: nameless effects, numbers far off, mechanisms      context, shafts, tones   for them
 search                  the additions of the largest posterior odds
-adequacy                whether a model explains the data
-engine                  all of it in order                        answer, setup_answer   as JSON
+adequacy, held_out      whether a model explains the data, and those that no fit has seen
+engine                  all of it in order                        answer/   in the form of the contract
 """

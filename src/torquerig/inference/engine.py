@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from torquerig.diagnosis.fitting.knobs import with_free_load
 from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.places import Place, order
 from torquerig.diagnosis.rig_under_test import check_recordings, check_rig
-from torquerig.errors import RecordingError
-from torquerig.inference.features.line_search import search_lines
+from torquerig.errors import InputError, RecordingError
+from torquerig.inference.features.line_search import FoundLine, search_lines
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.fit import Data, Fit, fitted
 from torquerig.inference.measured_run import MeasuredRun, measured_runs
 from torquerig.inference.model_density import model_densities
 from torquerig.inference.parameters import parameters
 from torquerig.inference.search import Model, searched
-from torquerig.inference.setup_faults import SetupFault, best_reading
+from torquerig.inference.setup_faults import Reading, SetupFault, best_reading
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario
@@ -39,6 +39,12 @@ class Outcome:
     nominal : Fit
         Of the scenario's rig, its own parameters fitted.
     model : Model
+    stated : Fit
+        Of the scenario's rig to the recordings as their sidecars state them; ``nominal`` without faults of the set-up.
+    stated_held : Data
+        The held-out features of these.
+    found : tuple of FoundLine
+        All lines that the nominal rig does not have.
     setup : tuple of SetupFault
         Corrected before all else.
     """
@@ -48,6 +54,9 @@ class Outcome:
     held: Data
     nominal: Fit
     model: Model
+    stated: Fit
+    stated_held: Data
+    found: tuple[FoundLine, ...] = ()
     setup: tuple[SetupFault, ...] = ()
 
     @property
@@ -61,19 +70,55 @@ class Outcome:
         return bool(self.model.additions)
 
 
-def diagnose(scenario: Scenario, recordings: Sequence[Recording], *, progress: Progress = lambda _: None) -> Outcome:
+@dataclass(frozen=True, eq=False)
+class Prepared:
+    """The nominal rig fitted to recordings, before anything is added to it; fields as in ``Outcome``."""
+
+    runs: tuple[MeasuredRun, ...]
+    known: tuple[Place, ...]
+    data: Data
+    nominal: Fit
+    stated: Reading
+    setup: tuple[SetupFault, ...]
+
+
+def diagnose(
+    scenario: Scenario, recordings: Sequence[Recording], *, held_out: Sequence[str] = (),
+    progress: Progress = lambda _: None,
+) -> Outcome:  # fmt: skip
     """Return the model that completes a scenario's rig until it explains the recordings, or the nominal one.
 
     The features of all runs (lines, bands, levels) have one likelihood under a model. The parameters of the nominal rig
     are fitted first. Then nameless effects, numbers far from their stated values and mechanisms of the library compete
-    by posterior odds; each must also make held-out data more likely.
+    by posterior odds; each must also make held-out data more likely. Those are every third block of each run, or the
+    whole recordings named in ``held_out``.
 
     Raises
     ------
     InputError, RecordingError
         Where the scenario has no motor or no measured place that transmits torque, the recordings are of different
-        rigs, or one is too short.
+        rigs, one is too short, or ``held_out`` names none of them or all.
     """
+    ready = prepared(scenario, recordings, held_out=held_out, progress=progress)
+    runs, data, nominal = ready.runs, ready.data, ready.nominal
+    progress("searching lines that the model lacks")
+    lines = search_lines([seen.run for seen in data.seen], ready.known, model_densities(nominal, data))
+    places = [*ready.known, *(line.place for line in lines)]
+    if lines:
+        data = features_of(runs, places)
+        nominal = fitted(nominal.rig, nominal.knobs, data, start=nominal.positions, gains=nominal.gains)
+    held = features_of(runs, places, held_out=True)
+    model = searched(nominal, data, held, lines, progress=progress)
+    stated_held = features_of(ready.stated.runs, places, held_out=True) if ready.setup else held
+    stated = ready.stated.fit if ready.setup else nominal
+    return Outcome(runs, data, held, nominal, model, stated, stated_held, lines, ready.setup)
+
+
+def prepared(
+    scenario: Scenario, recordings: Sequence[Recording], *, held_out: Sequence[str] = (),
+    progress: Progress = lambda _: None,
+) -> Prepared:  # fmt: skip
+    """Return the nominal rig fitted to the recordings, with faults of the set-up corrected; raises as ``diagnose``."""
     check_rig(scenario.rig)
     check_recordings(recordings)
     for recording in recordings:
@@ -84,27 +129,35 @@ def diagnose(scenario: Scenario, recordings: Sequence[Recording], *, progress: P
             )
     rig = with_free_load(scenario.rig.at(recordings[0].run))
     progress("estimating the angle of the motor")
-    runs = measured_runs(recordings, rig)
+    runs = with_held_out(measured_runs(recordings, rig), held_out)
     known = sorted({order(line.order) for run in runs for line in Twin(rig.at(run.run)).lines()})
     knobs = parameters(scenario, rig, runs)
     progress("fitting the parameters of the nominal model")
 
     def nominal_fit(of: Sequence[MeasuredRun]) -> tuple[Data, Fit]:
-        seen = _features(of, known)
+        seen = features_of(of, known)
         return seen, fitted(rig, knobs, seen)
 
-    reading = best_reading(runs, rig, nominal_fit)
-    runs, data, nominal = reading.runs, reading.data, reading.fit
-    progress("searching lines that the model lacks")
-    lines = search_lines(runs, known, model_densities(nominal, data))
-    places = [*known, *(line.place for line in lines)]
-    if lines:
-        data = _features(runs, places)
-        nominal = fitted(rig, knobs, data, start=nominal.positions, gains=nominal.gains)
-    held = _features(runs, places, held_out=True)
-    model = searched(nominal, data, held, lines, progress=progress)
-    return Outcome(runs, data, held, nominal, model, reading.faults)
+    stated = Reading(runs, *nominal_fit(runs))
+    reading = best_reading(stated, rig, nominal_fit)
+    return Prepared(reading.runs, tuple(known), reading.data, reading.fit, stated, reading.faults)
 
 
-def _features(runs: Sequence[MeasuredRun], places: Sequence[Place], *, held_out: bool = False) -> Data:
-    return Data.of([run_features(run, places, held_out=held_out) for run in runs])
+def with_held_out(runs: Sequence[MeasuredRun], names: Sequence[str]) -> tuple[MeasuredRun, ...]:
+    """Return the runs with all blocks of the named ones held out, and none of the others; unchanged without names."""
+    known = [run.name for run in runs]
+    unknown = [name for name in names if name not in known]
+    if unknown:
+        raise InputError(f"--held-out {unknown[0]}: no recording has this name; choose among {', '.join(known)}")
+    if names and set(names) >= set(known):
+        raise InputError("--held-out names every recording; leave at least one for the fit")
+    return tuple(
+        replace(run, blocks=tuple(replace(block, held_out=run.name in names) for block in run.blocks)) if names else run
+        for run in runs
+    )
+
+
+def features_of(runs: Sequence[MeasuredRun], places: Sequence[Place], *, held_out: bool = False) -> Data:
+    """Return the features of the fitted or the held-out blocks of all runs that have such blocks."""
+    rows = [row for row, run in enumerate(runs) if any(block.held_out == held_out for block in run.blocks)]
+    return Data.of([run_features(runs[row], places, held_out=held_out) for row in rows], rows=rows, runs=len(runs))

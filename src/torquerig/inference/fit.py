@@ -85,9 +85,10 @@ class Data:
     shapes: tuple[Floats, ...]
 
     @staticmethod
-    def of(seen: Sequence[RunFeatures]) -> Data:
-        """Return the data of the features of all runs."""
-        shapes = [gain_shapes(each, run=row, runs=len(seen)) for row, each in enumerate(seen)]
+    def of(seen: Sequence[RunFeatures], *, rows: Sequence[int] | None = None, runs: int | None = None) -> Data:
+        """Return the data of the features of all runs, or of those with the numbers ``rows`` among ``runs``."""
+        numbers, count = range(len(seen)) if rows is None else rows, len(seen) if runs is None else runs
+        shapes = [gain_shapes(each, run=row, runs=count) for row, each in zip(numbers, seen, strict=True)]
         return Data(tuple(seen), tuple(shapes))
 
 

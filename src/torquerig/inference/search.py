@@ -15,7 +15,8 @@ from torquerig.inference.additions import proposals
 from torquerig.inference.context import Context
 from torquerig.inference.features.line_search import FoundLine
 from torquerig.inference.fit import Data, Fit, all_residuals, fitted, hessian_of
-from torquerig.inference.likelihood import log_density, log_density_of, weights
+from torquerig.inference.held_out import held_out_density
+from torquerig.inference.likelihood import log_density_of, weights
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
 from torquerig.rig.assembly import Rig
 
@@ -41,12 +42,15 @@ class Model:
         That no part explains.
     alternatives : tuple of (Addition, Addition, float)
         What was added, what was fitted in its place, and by how many nats of posterior odds that fell short.
+    tried : tuple of (Addition, float)
+        Proposals of the last round, and the gain of posterior odds [nats] that the local model promises for each.
     """
 
     fit: Fit
     additions: tuple[Addition, ...]
     lines: tuple[FoundLine, ...]
     alternatives: tuple[tuple[Addition, Addition, float], ...] = ()
+    tried: tuple[tuple[Addition, float], ...] = ()
 
     @property
     def log_odds(self) -> float:
@@ -69,27 +73,21 @@ def searched(
     """
     model = Model(start, (), tuple(lines))
     while len(model.additions) < MOST_ADDITIONS:
-        better = _extended(model, data, held)
+        better, tried = _extended(model, data, held)
         if better is None:
-            break
+            return replace(model, tried=tried)
         model = better
         progress(f"adding {model.additions[-1].label}")
     return model
 
 
-def held_out_density(fit: Fit, held: Data) -> float:
-    """Return the log-likelihood of held-out data under a fitted model [nats]."""
-    rig = fit.fitted_rig
-    expected = [expected_run(rig, seen) for seen in held.seen]
-    return sum(log_density(each) for each in all_residuals(held, expected, fit.gains, fit.off))
-
-
-def _extended(model: Model, data: Data, held: Data) -> Model | None:
-    """Return the model with the best addition; None where none wins."""
+def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple[tuple[Addition, float], ...]]:
+    """Return the model with the best addition, None where none wins; and what all proposals promised."""
     context = Context(model.fit, data, model.lines)
     taken = frozenset[str]().union(*(each.names for each in model.additions))
     free = [each for each in proposals(context) if not each.names & taken]
     screened = sorted(((*_screened(context, each), each) for each in free), key=lambda one: -one[0])
+    tried = tuple((each, gain) for gain, _, each in screened)
     fits = [*_fitted(model, data, [(each, start) for gain, start, each in screened if gain > 0])]
     before = held_out_density(model.fit, held)
     winners = [
@@ -97,13 +95,13 @@ def _extended(model: Model, data: Data, held: Data) -> Model | None:
         if one.log_odds > model.log_odds + LEAST_GAIN and held_out_density(one.fit, held) > before + LEAST_HELD_OUT
     ]  # fmt: skip
     if not winners:
-        return None
+        return None, tried
     best = max(winners, key=lambda one: one.log_odds)
     added = best.additions[-1]
     # one of better odds failed on the held-out data and is no alternative
     behind = [one for one in fits if one is not best and one.log_odds <= best.log_odds]
     others = [(added, one.additions[-1], best.log_odds - one.log_odds) for one in behind]
-    return replace(best, alternatives=(*model.alternatives, *others))
+    return replace(best, alternatives=(*model.alternatives, *others)), tried
 
 
 def _fitted(model: Model, data: Data, screened: Sequence[tuple[Addition, tuple[float, ...]]]) -> Iterator[Model]:

@@ -68,12 +68,13 @@ class Reading:
     faults: tuple[SetupFault, ...] = ()
 
 
-def best_reading(runs: tuple[MeasuredRun, ...], rig: Rig, fit_to: FitTo) -> Reading:
+def best_reading(as_stated: Reading, rig: Rig, fit_to: FitTo) -> Reading:
     """Return the reading of the runs that the nominal rig explains best.
 
-    ``fit_to`` returns features and the fit of the nominal rig for runs.
+    ``fit_to`` returns features and the fit of the nominal rig for runs; ``as_stated`` is the reading without faults.
     """
-    best = _corrected(Reading(runs, *fit_to(runs)), rig)
+    runs = as_stated.runs
+    best = _corrected(as_stated, rig)
     factor = _speed_factor(runs, rig)
     if factor is None:
         return best
@@ -155,8 +156,9 @@ def _other_sign(reading: Reading, rig: Rig) -> Reading:
     if not tells or float(measured @ expected) >= 0:
         return reading
     runs = tuple(replace(run, torque=-run.torque) for run in reading.runs)
-    seen = [_reversed(one, run) for one, run in zip(reading.data.seen, runs, strict=True)]
-    data, fit = Data.of(seen), reading.fit
+    by_name = {run.name: run for run in runs}
+    seen = tuple(_reversed(one, by_name[one.run.name]) for one in reading.data.seen)
+    data, fit = replace(reading.data, seen=seen), reading.fit
     again = fitted(fit.rig, fit.knobs, data)
     if not _clearly(again, fit):
         return reading

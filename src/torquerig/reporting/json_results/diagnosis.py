@@ -41,6 +41,7 @@ class FindingJson:
     parameters: dict[str, Ci95]
     equivalent_to: list[str]
     next_experiment: str | None
+    size: dict[str, Any] | None = None
     evidence: dict[str, Any] | None = None
     alternatives: list[dict[str, Any]] | None = None
 

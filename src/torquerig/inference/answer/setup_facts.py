@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
 from torquerig.diagnosis.fitting.knobs import Knob
+from torquerig.inference.answer.numbers import MOST_SURE, digits, estimate
 from torquerig.inference.fit import Fit
 from torquerig.inference.setup_faults import SetupFault
 
-MOST_SURE = 0.99  # no set of hypotheses is complete
-TWO_SIDED = 1.96  # standard deviations of half a 95 % interval
 _KIND_OF = {"scale": "sensor_scale", "zero": "sensor_zero"}  # fields of a sensor that are facts of the set-up
 
 
@@ -21,7 +18,7 @@ def fault_answer(each: SetupFault) -> dict[str, Any]:
     return {
         "kind": each.kind, "of": each.of, "stated": digits(each.stated),
         "estimated": {"value": estimated, "ci95": [estimated, estimated], "unit": each.unit},
-        "confidence": MOST_SURE if not each.equivalent_to else round(1 / (1 + len(each.equivalent_to)), 3),
+        "confidence": MOST_SURE,  # of the class: the kind together with those that explain the features as well
         "equivalent_to": list(each.equivalent_to), "explanation": each.explanation,
     }  # fmt: skip
 
@@ -41,16 +38,6 @@ def number_answer(fit: Fit, knob: Knob, *, confidence: float) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def estimate(fit: Fit, column: int, unit: str) -> dict[str, Any]:
-    """Return a fitted parameter with its 95 % interval, by the covariance of the posterior."""
-    knob, position = fit.knobs[column], float(fit.positions[column])
-    half = TWO_SIDED * float(np.sqrt(fit.covariance()[column, column]))
-    median = knob.value(fit.rig)
-    ends = sorted(knob.turned(median, position + way * half) for way in (-1, 1))
-    value = knob.turned(median, position)
-    return {"value": digits(value), "ci95": [digits(end) for end in ends], "unit": unit}
-
-
 def _unit_of(fit: Fit, knob: Knob) -> str:
     """Return the unit in which the class of a part declares a field."""
     from typing import get_type_hints
@@ -60,8 +47,3 @@ def _unit_of(fit: Fit, knob: Knob) -> str:
     hint = get_type_hints(type(fit.nominal.part(knob.part)), include_extras=True).get(knob.field)
     declared = [one for one in getattr(hint, "__metadata__", ()) if isinstance(one, Parameter)]
     return declared[0].unit if declared else "1"
-
-
-def digits(value: float) -> float:
-    """Return a number with six digits, as all numbers of an answer have."""
-    return float(f"{value:.6g}")

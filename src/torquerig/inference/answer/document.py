@@ -1,0 +1,51 @@
+"""All keys of the answer, in the form of the contract with the additions for nameless effects and set-up."""
+
+from __future__ import annotations
+
+from math import pi
+from typing import Any
+
+import numpy as np
+
+from torquerig.inference.answer.confidence import confidence, far_numbers, named, nameless
+from torquerig.inference.answer.effects import finding, unnamed
+from torquerig.inference.answer.held_out_figures import fit_figures
+from torquerig.inference.answer.located import differences, remaining
+from torquerig.inference.answer.numbers import digits
+from torquerig.inference.answer.rms import rms_errors
+from torquerig.inference.answer.setup_facts import fault_answer, number_answer
+from torquerig.inference.answer.tried import rejected
+from torquerig.inference.answer.verdict import verdict
+from torquerig.inference.engine import Outcome
+from torquerig.inference.measured_run import MeasuredRun
+
+SCHEMA = "torquerig.diagnosis/1"
+
+
+def as_json(outcome: Outcome) -> dict[str, Any]:
+    """Return the answer in the contract's form."""
+    numbers = (
+        number_answer(outcome.model.fit, each.knobs[0], confidence=confidence(outcome, each))
+        for each in far_numbers(outcome)
+    )
+    return {
+        "schema": SCHEMA,
+        "verdict": verdict(outcome),
+        "mismatch": [*differences(outcome), *remaining(outcome)],
+        "findings": [finding(outcome, each, next_experiment=None) for each in named(outcome)],
+        "setup": [*map(fault_answer, outcome.setup), *numbers],
+        "unnamed": [unnamed(outcome, each) for each in nameless(outcome)],
+        "fit": fit_figures(outcome),
+        "rms": rms_errors(outcome),
+        "set_aside": rejected(outcome),
+        "model": None,
+        "recordings": [
+            {"file": run.name, "speed_rpm": digits(float(np.mean(run.speed)) * 30 / pi), "used_for": _use(run)}
+            for run in outcome.runs
+        ],
+    }
+
+
+def _use(run: MeasuredRun) -> str:
+    held = {block.held_out for block in run.blocks}
+    return "split" if len(held) > 1 else "held_out" if held == {True} else "fit"

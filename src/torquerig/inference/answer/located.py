@@ -1,0 +1,105 @@
+"""Where recordings and models differ: places of the additions, and the largest residuals by kind of feature."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import exp, log, log10
+from typing import Any
+
+import numpy as np
+
+from torquerig.diagnosis.looking.places import Place
+from torquerig.inference.adequacy import LEVEL_OF_TEST, Excess, excesses
+from torquerig.inference.answer.numbers import digits
+from torquerig.inference.engine import Outcome
+from torquerig.inference.features.run_features import RunFeatures
+from torquerig.inference.fit import all_residuals
+from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE, Residuals
+
+_ORDER_WIDTH, _TONE_WIDTH = 0.01, 1.0  # [1/rev], [Hz] to which the place of a line is reported
+_DECIBELS = 10 / log(10)
+
+
+def differences(outcome: Outcome) -> list[dict[str, Any]]:
+    """Return where the calibrated model differs: the places of the additions, and other large residuals."""
+    fit = outcome.nominal
+    runs = all_residuals(outcome.data, fit.expected, fit.gains, fit.off)
+    places = list(dict.fromkeys(place for each in outcome.model.additions for place in each.places))
+    found = {line.place: exp(line.log_p) for line in outcome.found}
+    rows = [_of_line(outcome.data.seen, runs, place, p_value=found.get(place)) for place in places]
+    if len(places) < len(outcome.model.additions):  # some have no place: a level, a band
+        rows += [_of_excess(outcome.data.seen, runs, each) for each in _largest(excesses(runs)) if each.kind != LINE]
+    return sorted(rows, key=lambda row: -row["share_of_misfit"])
+
+
+def remaining(outcome: Outcome) -> list[dict[str, Any]]:
+    """Return where the completed model still differs."""
+    fit = outcome.model.fit
+    runs = all_residuals(outcome.data, fit.expected, fit.gains, fit.off)
+    return [_of_excess(outcome.data.seen, runs, each) for each in _largest(excesses(runs))]
+
+
+def _largest(found: Sequence[Excess]) -> Iterator[Excess]:
+    """Yield what is significant, once for each kind of feature."""
+    kinds = set[int]()
+    for each in found:
+        if each.p_value < LEVEL_OF_TEST and each.kind not in kinds:
+            kinds.add(each.kind)
+            yield each
+
+
+def _of_line(
+    seen: Sequence[RunFeatures], runs: Sequence[Residuals], place: Place, *, p_value: float | None
+) -> dict[str, Any]:
+    """Return one place; ``p_value`` is that of the search for lines, which knows of all blocks."""
+    excess, largest, there, names = 0.0, 0.0, 0.0, list[str]()
+    for one, each in zip(seen, runs, strict=True):
+        rows = np.flatnonzero((each.kind == LINE) & (each.at == one.places.index(place)))
+        if rows.size:
+            names.append(one.run.name)
+            excess = max(excess, float(each.value[rows].max()))
+            largest = max(largest, float(np.abs(each.standardised[rows]).max()))
+            there += float((each.standardised[rows] ** 2).sum())
+    turning = place.domain == "order"
+    return {
+        "domain": place.domain, "axis": "motor_shaft" if turning else "Hz", "at": digits(place.at),
+        "width": _ORDER_WIDTH if turning else _TONE_WIDTH, "recordings": names, "excess_dB": digits(_DECIBELS * excess),
+        "share_of_misfit": digits(there / _total(runs)),
+        "p_value": digits(_p_value(largest, runs) if p_value is None else p_value),
+    }  # fmt: skip
+
+
+def _of_excess(seen: Sequence[RunFeatures], runs: Sequence[Residuals], each: Excess) -> dict[str, Any]:
+    one, own = seen[each.run], runs[each.run]
+    at, square = int(own.at[each.row]), float(own.standardised[each.row] ** 2)
+    domain, axis, middle, width = _where(one, each.kind, at)
+    # a level has no power: the excess is its residual over its standard deviation
+    decibels = 10 * log10(max(square, 1.0)) if each.kind == LEVEL else _DECIBELS * float(own.value[each.row])
+    return {
+        "domain": domain, "axis": axis, "at": digits(middle), "width": digits(width), "recordings": [one.run.name],
+        "excess_dB": digits(decibels), "share_of_misfit": digits(square / _total(runs)),
+        "p_value": digits(each.p_value),
+    }  # fmt: skip
+
+
+def _where(seen: RunFeatures, kind: int, at: int) -> tuple[str, str, float, float]:
+    """Return domain, axis, middle and width of a feature."""
+    if kind == BAND:
+        return "frequency", "Hz", float(seen.bands.middle[at]), float(seen.bands.high[at] - seen.bands.low[at])
+    if kind == LEVEL:
+        return "time", "s", float(seen.parts[at].mean()) / seen.run.rate, float(seen.level_duration[at])
+    place = seen.places[at]
+    turning = place.domain == "order"
+    return place.domain, "motor_shaft" if turning else "Hz", place.at, _ORDER_WIDTH if turning else _TONE_WIDTH
+
+
+def _total(runs: Sequence[Residuals]) -> float:
+    return max(sum(float((each.standardised**2).sum()) for each in runs), 1e-300)
+
+
+def _p_value(largest: float, runs: Sequence[Residuals]) -> float:
+    """Return the probability of so large a standardised residual anywhere, under the likelihood's distribution."""
+    from scipy.stats import t
+
+    count = sum(each.value.size for each in runs)
+    return min(2 * count * float(t.sf(largest, DEGREES_OF_FREEDOM)), 1.0)

@@ -1,0 +1,48 @@
+"""How large an addition is in the reading, in N m (N on a rig that moves in a line)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from torquerig.inference.addition import Addition
+from torquerig.inference.engine import Outcome
+from torquerig.inference.prediction.expected_run import expected_run
+from torquerig.rig.assembly import Rig
+
+RELEVANCE = 0.03  # [1] of the signal's standard deviation: a smaller nameless effect changes no verdict
+
+
+def relevance(outcome: Outcome) -> float:
+    """Return the rms below which a nameless effect is minor [N m]: a share of the signal, or the sensor's accuracy."""
+    signal = max(float(np.std(run.torque)) for run in outcome.runs)
+    sensor = outcome.nominal.nominal.part(outcome.nominal.nominal.measured)
+    accuracy = getattr(sensor, "accuracy", None)
+    return min(RELEVANCE * signal, accuracy) if accuracy else RELEVANCE * signal
+
+
+def without(rig: Rig, additions: Sequence[Addition]) -> Rig:
+    """Return a rig without the parts of some additions."""
+    for each in additions:
+        for part in each.parts:
+            rig = rig.without(part.name)
+    return rig
+
+
+def size(outcome: Outcome, each: Addition) -> float:
+    """Return the rms by which an addition changes the reading [N m], the largest one of the runs.
+
+    Of lines, of the spectrum between them and of mean torques; those are uncorrelated.
+    """
+    fit, other = outcome.model.fit, without(outcome.completed, [each])
+    largest = 0.0
+    for seen, full in zip(outcome.data.seen, fit.expected, strict=True):
+        less = expected_run(other, seen)
+        width = seen.bands.high - seen.bands.low
+        lines = 0.5 * (np.sqrt(full.line_power) - np.sqrt(less.line_power)) ** 2
+        noise = (np.sqrt(full.density) - np.sqrt(less.density)) ** 2 * width
+        shown = (lines.sum(axis=1) + noise.sum(axis=1)).max(initial=0.0)
+        levels = np.mean((full.level - less.level) ** 2) if full.level.size else 0.0
+        largest = max(largest, float(np.sqrt(shown + levels)))
+    return largest

@@ -1,0 +1,36 @@
+"""The verdict: adequate, missing physics, unexplained or a fault of the set-up."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from torquerig.inference.addition import Addition
+from torquerig.inference.adequacy import LEVEL_OF_TEST, excesses
+from torquerig.inference.answer.confidence import far_numbers, named, nameless
+from torquerig.inference.answer.sizes import relevance, size, without
+from torquerig.inference.engine import Outcome
+from torquerig.inference.fit import all_residuals
+from torquerig.inference.prediction.expected_run import expected_run
+
+
+def verdict(outcome: Outcome) -> str:
+    """Return the contract's word for what was found."""
+    large = [each for each in nameless(outcome) if not is_minor(outcome, each)]
+    if not explains(outcome, ()) or (large and not explains(outcome, large)):
+        return "unexplained"
+    if named(outcome):
+        return "missing_physics"
+    return "setup_error" if outcome.setup or far_numbers(outcome) else "adequate"
+
+
+def is_minor(outcome: Outcome, each: Addition) -> bool:
+    """Return whether a nameless effect is too small to change the verdict."""
+    return size(outcome, each) < relevance(outcome)
+
+
+def explains(outcome: Outcome, less: Sequence[Addition]) -> bool:
+    """Return whether the completed model without some additions passes the test of adequacy."""
+    fit, rig = outcome.model.fit, without(outcome.completed, less)
+    expected = [expected_run(rig, seen) for seen in outcome.data.seen] if less else fit.expected
+    found = excesses(all_residuals(outcome.data, expected, fit.gains, fit.off))
+    return all(each.p_value >= LEVEL_OF_TEST for each in found)

@@ -1,0 +1,46 @@
+"""Sentences of the second engine's answer, from the diagnosis in the contract's form."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from torquerig.reporting.diagnosis.sentences import FEATURE_RESIDUAL, mechanism_text
+from torquerig.reporting.layout import plain
+
+
+def verdict_of(data: Mapping[str, Any]) -> str:
+    """Return the verdict in sentences: what is missing, and how the residual on held-out data changed."""
+    fit = data["fit"]
+    before, after = (FEATURE_RESIDUAL.formatted(fit[side]["heldout_misfit"]) for side in ("before", "after"))
+    name, verdict = FEATURE_RESIDUAL.name, data["verdict"]
+    if verdict == "adequate":
+        return f"No physics is missing that these recordings can show. The {name} is {after}. A true model has about 1."
+    change = f"stays at {after}" if before == after else f"changes from {before} to {after}"
+    if verdict == "setup_error":
+        wrong = " and ".join(f"{mechanism_text(one['kind'])} of {one['of']}" for one in data["setup"])
+        return (
+            f"A fact of the set-up is wrong: {wrong}. With it corrected, the {name} {change}. A true model has about 1."
+        )
+    named = " and ".join(_named(one) for one in data["findings"])
+    lacks = f"The model lacks {named}. " if named else ""
+    if verdict == "missing_physics":
+        return f"{lacks}With what was found, the {name} {change}. A true model has about 1."
+    more = "Something more" if named else "Something"
+    return f"{lacks}{more} is missing that no mechanism of the library explains. The {name} {change}."
+
+
+def remarks_of(data: Mapping[str, Any]) -> list[str]:
+    """Return how far the best alternative of each finding is behind."""
+    return [
+        f"Alternative to {mechanism_text(one['mechanism'])}: {one['alternatives'][0]['hypothesis']}, "
+        f"{plain(one['alternatives'][0]['nats_behind'], 2)} nats less likely."
+        for one in data["findings"] if one.get("alternatives")
+    ]  # fmt: skip
+
+
+def _named(one: Mapping[str, Any]) -> str:
+    name, size = mechanism_text(one["mechanism"]), one["size"]
+    alike = " or ".join(map(mechanism_text, one["equivalent_to"]))
+    doubt = f", not distinguished from {alike}" if alike else ""
+    return f"{name} ({plain(size['value'])} {size['unit'].replace('*', ' ')} rms{doubt})"

@@ -1,0 +1,94 @@
+"""Confidence, errors in N m and held-out data of an answer, against closed forms."""
+
+from __future__ import annotations
+
+from math import exp, log
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from tests.inference.drawn_runs import drawn_run, steady
+from torquerig.diagnosis.looking.places import order
+from torquerig.errors import InputError
+from torquerig.inference.addition import Addition
+from torquerig.inference.answer import confidence as sure
+from torquerig.inference.answer.rms import mean_square
+from torquerig.inference.engine import features_of, with_held_out
+from torquerig.inference.features.run_features import run_features
+from torquerig.inference.held_out import independent
+from torquerig.inference.likelihood import BAND, Residuals
+from torquerig.inference.prediction.expected_run import ExpectedRun
+
+CHOSEN, SAME = Addition(mechanism="gear_mesh", label="72"), Addition(mechanism="gear_mesh", label="36")
+OTHER, NAMELESS = Addition(mechanism="commutation_ripple"), Addition(kind="line_family")
+
+
+def outcome_of(*behind):
+    alternatives = tuple((CHOSEN, other, gap) for other, gap in behind)
+    return SimpleNamespace(model=SimpleNamespace(additions=(CHOSEN,), alternatives=alternatives))
+
+
+def test_the_confidence_of_a_name_is_its_share_of_the_posterior_mass():
+    outcome = outcome_of((SAME, 1.0), (OTHER, 5.0), (NAMELESS, 2.0))
+    own = 1 + exp(-1.0)
+    assert sure.confidence(outcome, CHOSEN) == pytest.approx(own / (own + exp(-5.0) + exp(-2.0)))
+    assert sure.equivalent_to(outcome, CHOSEN) == []
+
+
+def test_a_class_has_the_mass_of_its_mechanisms():
+    outcome = outcome_of((OTHER, 0.1), (NAMELESS, 3.5))
+    assert sure.equivalent_to(outcome, CHOSEN) == ["commutation_ripple"]
+    own = 1 + exp(-0.1)
+    assert sure.confidence(outcome, CHOSEN) == pytest.approx(own / (own + exp(-3.5)))
+
+
+@pytest.mark.parametrize(("mass", "is_named"), [(0.59, False), (0.61, True)])
+def test_below_six_tenths_nothing_is_named(mass, is_named):
+    outcome = outcome_of((NAMELESS, -log(1 / mass - 1)))
+    assert [each is CHOSEN for each in sure.named(outcome)] == ([True] if is_named else [])
+    assert [each is CHOSEN for each in sure.nameless(outcome)] == ([] if is_named else [True])
+
+
+def test_a_missing_line_is_an_error_of_its_rms():
+    seen = run_features(drawn_run(1, speed=steady(1000), orders={7.0: 0.5}, level=2.0), [order(7.0)])
+    count, bands = len(seen.segments), seen.bands.middle.size
+    white = np.full((count, bands), 2 * 0.1**2 / 2000.0)
+    nothing = np.zeros((count, 1))
+    levels = np.zeros(seen.level.size)
+    model = ExpectedRun(nothing, nothing, white, white, levels + 2.0, np.diag(levels), levels)
+    found = np.sqrt(mean_square(seen, model))
+    # the line has 0.354 N m rms; spectra of some bins scatter by a tenth of the noise of 0.1 N m
+    assert found == pytest.approx(0.5 / np.sqrt(2), rel=0.02)
+
+
+def test_an_open_gain_leaves_independent_residuals():
+    rng = np.random.default_rng(2)
+    slope = rng.uniform(0.5, 2.0, (40, 1))
+    squares, sums = [], []
+    for _ in range(2000):
+        value = rng.standard_normal(40) + slope[:, 0] * rng.standard_normal()
+        rows = np.arange(40)
+        made, logdet = independent(Residuals(value, np.ones(40), np.full(40, BAND, np.int8), rows, rows), slope)
+        squares.append(np.mean(made.value**2))
+        sums.append(slope[:, 0] @ made.value)
+    assert np.mean(squares) == pytest.approx(1.0, abs=0.02)
+    assert np.var(sums) == pytest.approx(float(slope[:, 0] @ slope[:, 0]), rel=0.15)
+    assert logdet == pytest.approx(np.log1p(float(slope[:, 0] @ slope[:, 0])))
+
+
+RUNS = [drawn_run(seed, speed=steady(rpm), name=name) for seed, rpm, name in ((1, 900, "a"), (2, 1400, "b"))]
+
+
+def test_a_run_that_is_held_out_is_in_no_fit():
+    runs = with_held_out(RUNS, ["b"])
+    assert [seen.run.name for seen in features_of(runs, []).seen] == ["a"]
+    held = features_of(runs, [], held_out=True)
+    assert [seen.run.name for seen in held.seen] == ["b"]
+    assert sum(len(segment.blocks) for segment in held.seen[0].segments) == len(runs[1].blocks)
+
+
+@pytest.mark.parametrize(("names", "text"), [(["c"], "no recording has this name"), (["a", "b"], "at least one")])
+def test_names_that_cannot_be_held_out_are_refused(names, text):
+    with pytest.raises(InputError, match=text):
+        with_held_out(RUNS, names)
