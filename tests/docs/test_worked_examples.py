@@ -12,7 +12,7 @@ import pytest
 import torquerig
 from torquerig.catalog.motor import Motor
 from torquerig.catalog.reading import load_catalog, read_entry
-from torquerig.cli.diagnose_check import checked
+from torquerig.cli.diagnose_parts.check import checked
 from torquerig.diagnosis.motion.diagnose_motion import diagnose_motion
 from torquerig.diagnosis.motion.moved import under_measured_motion
 from torquerig.document import read_document

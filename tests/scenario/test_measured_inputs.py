@@ -12,7 +12,7 @@ import pytest
 
 import torquerig as tr
 from torquerig.catalog.reading import Catalog
-from torquerig.cli.diagnose_check import checked
+from torquerig.cli.diagnose_parts.check import checked
 from torquerig.document import parse_document
 from torquerig.errors import InputError, TorquerigError
 from torquerig.recordings.files import read_recording, write_recording

@@ -23,7 +23,7 @@ from torquerig.scenario.writing import scenario_text, write_scenario
 from torquerig.whole_file import whole_file
 
 if TYPE_CHECKING:
-    from torquerig.cli.diagnosed import Diagnosed
+    from torquerig.cli.diagnose_parts.diagnosed import Diagnosed
     from torquerig.recordings.recording import Recording
     from torquerig.rig.assembly import Rig
     from torquerig.scenario.model import Scenario
@@ -134,7 +134,7 @@ def _write_model(target: Path, completed: Rig, made: Scenario) -> None:
 def _by_rules(
     scenario: Scenario, recordings: Sequence[Recording], _: Sequence[str], seed: int, progress: Callable[[str], None]
 ) -> Diagnosed:
-    from torquerig.cli.diagnose_rules import diagnosed_by_rules
+    from torquerig.cli.diagnose_parts.by_rules import diagnosed_by_rules
 
     return diagnosed_by_rules(scenario, recordings, seed=seed, progress=progress)
 
@@ -143,7 +143,7 @@ def _by_likelihood(
     scenario: Scenario, recordings: Sequence[Recording], held_out: Sequence[str], seed: int,
     progress: Callable[[str], None],
 ) -> Diagnosed:  # fmt: skip
-    from torquerig.cli.diagnose_likelihood import diagnosed_by_likelihood
+    from torquerig.cli.diagnose_parts.by_likelihood import diagnosed_by_likelihood
 
     return diagnosed_by_likelihood(scenario, recordings, held_out=held_out, seed=seed, progress=progress)
 
@@ -184,7 +184,7 @@ def _check(
     recordings: tuple[Path, ...], scenario: Path, settings: tuple[str, ...], catalogs: tuple[Path, ...], *,
     seed: int, out: str | None,
 ) -> None:  # fmt: skip
-    from torquerig.cli.diagnose_check import checked
+    from torquerig.cli.diagnose_parts.check import checked
 
     inputs = (*recordings, *map(sidecar_path, recordings), scenario)
     if out not in (None, "-"):

@@ -11,7 +11,7 @@ import pytest
 
 from tests.scenario.test_measured_places import RIG, scenario
 from torquerig.catalog.reading import Catalog
-from torquerig.cli.diagnose_check import checked
+from torquerig.cli.diagnose_parts.check import checked
 from torquerig.document import parse_document
 from torquerig.errors import InputError
 from torquerig.recordings.files import read_recording, write_recording

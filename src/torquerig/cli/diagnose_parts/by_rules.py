@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
 from typing import Any
 
-from torquerig.cli.diagnosed import Diagnosed
+from torquerig.cli.diagnose_parts.diagnosed import Diagnosed
 from torquerig.diagnosis.any_rig import diagnosed
 from torquerig.diagnosis.engine import Outcome
 from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome

@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from torquerig.cli.diagnosed import Diagnosed
+from torquerig.cli.diagnose_parts.diagnosed import Diagnosed
 from torquerig.diagnosis.motion.moved import under_measured_motion
 from torquerig.errors import InputError
 from torquerig.inference.answer import as_json
