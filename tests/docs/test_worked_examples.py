@@ -12,12 +12,12 @@ import pytest
 import torquerig
 from torquerig.catalog.motor import Motor
 from torquerig.catalog.reading import load_catalog, read_entry
-from torquerig.cli.diagnose_parts.check import checked
 from torquerig.diagnosis.motion.diagnose_motion import diagnose_motion
 from torquerig.diagnosis.motion.moved import under_measured_motion
 from torquerig.document import read_document
 from torquerig.recordings.files import read_recording
 from torquerig.recordings.files.sidecar import read_sidecar
+from torquerig.reporting.diagnosis.run_check import run_check
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.input_channels import driven_parts
@@ -160,7 +160,7 @@ def test_shaft_line_of_howto_diagnose_measured_motion_is_driven_by_its_recording
     header = "outer_V,inner_V,brake_Nm,speed_rpm"
     np.savetxt(tmp_path / "line1.csv", rows, delimiter=",", header=header, comments="")
     made = read_scenario(read_document(tmp_path / "shaft_line.yaml"), load_catalog(ROOT / "catalogs"), seed=1)
-    shown = checked(made, [read_recording(tmp_path / "line1.csv")])
+    shown = run_check(made, [read_recording(tmp_path / "line1.csv")]).text()
     text = (ROOT / "docs" / page).read_text(encoding="utf-8")
     for line in re.findall(r"^line1\.csv: .*$", text, re.MULTILINE):
         assert line in shown

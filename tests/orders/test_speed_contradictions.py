@@ -6,8 +6,8 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.cli.suspicions import angle_sentences
 from torquerig.orders.angle.speed_contradictions import speed_contradictions
+from torquerig.orders.angle.suspicions import angle_sentences
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
 

@@ -12,12 +12,12 @@ import pytest
 
 import torquerig as tr
 from torquerig.catalog.reading import Catalog
-from torquerig.cli.diagnose_parts.check import checked
 from torquerig.document import parse_document
 from torquerig.errors import InputError, TorquerigError
 from torquerig.recordings.files import read_recording, write_recording
 from torquerig.recordings.inputs import driven_by, input_channel
 from torquerig.recordings.recording import Channel, Recording
+from torquerig.reporting.diagnosis.run_check import run_check
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.simulator import simulate
@@ -223,14 +223,14 @@ def test_check_shows_the_inputs_of_every_recording(recorded: Recording, tmp_path
     less = {name: one for name, one in recorded.channels.items() if name != "brake_Nm"}
     write_recording(replace(recorded, channels=less), tmp_path / "run2.csv")
     one, two = (read_recording(tmp_path / name) for name in ("run1.csv", "run2.csv"))
-    shown = " ".join(checked(made, [one]).split())
+    shown = " ".join(run_check(made, [one]).text().split())
     assert "run1.csv: input: brake_Nm drives load (replayed_torque)" in shown
     assert "run1.csv: input: push_Nm drives servo (torque_controller)" in shown
     assert "run1.csv: compared: outer_V of outer; context: inner_V of inner" in shown
     with pytest.raises(
         InputError, match=r"shaft.yaml:11: rig.load.from: run2.csv has no channel 'brake_Nm', the input at 'rotor'"
     ):
-        checked(made, [one, two])
+        run_check(made, [one, two])
 
 
 @pytest.mark.parametrize(("stated", "smoothing"), [("", 0.5), (", smoothing: 0.01 rad/s", 0.01)])

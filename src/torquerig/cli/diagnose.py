@@ -184,14 +184,14 @@ def _check(
     recordings: tuple[Path, ...], scenario: Path, settings: tuple[str, ...], catalogs: tuple[Path, ...], *,
     seed: int, out: str | None,
 ) -> None:  # fmt: skip
-    from torquerig.cli.diagnose_parts.check import checked
+    from torquerig.reporting.diagnosis.run_check import run_check
 
     inputs = (*recordings, *map(sidecar_path, recordings), scenario)
     if out not in (None, "-"):
         mark = '"schema": "torquerig.diagnose-check/'
         check_output_paths([(Path(str(out)), mark)], inputs=inputs, what="JSON of torquerig diagnose --check")
     made = read_scenario(edited(scenario, settings), catalog_for(scenario, catalogs), seed=seed)
-    text = checked(made, _read(recordings))
+    text = run_check(made, _read(recordings)).text()
     if out != "-":
         click.echo(text)
     if out is not None:

@@ -16,8 +16,9 @@ from torquerig.catalog.winding import winding_of
 from torquerig.cli.contents_shown import known_by, show_contents, show_reading
 from torquerig.cli.json_option import Partly, json_option, wants_json
 from torquerig.cli.recordings_named import recordings_in
-from torquerig.cli.suspicions import print_suspicions, suspicions_in
+from torquerig.cli.suspicions import print_suspicions
 from torquerig.errors import InputError, RecordingError, TorquerigError, UnknownNameError
+from torquerig.orders.angle.suspicions import suspicions_in
 from torquerig.orders.kinematics.kinematic_lines import KinematicLine, Kinematics
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import open_stream

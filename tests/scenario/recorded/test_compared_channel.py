@@ -11,11 +11,11 @@ import pytest
 
 from tests.scenario.test_measured_places import RIG, scenario
 from torquerig.catalog.reading import Catalog
-from torquerig.cli.diagnose_parts.check import checked
 from torquerig.document import parse_document
 from torquerig.errors import InputError
 from torquerig.recordings.files import read_recording, write_recording
 from torquerig.recordings.recording import Channel, Recording
+from torquerig.reporting.diagnosis.run_check import run_check
 from torquerig.scenario.reading import read_scenario
 from torquerig.scenario.recorded.compared_channel import (
     as_measured,
@@ -112,8 +112,8 @@ def test_the_stated_errors_of_a_sensor_are_taken_off_and_written_again() -> None
 def test_check_lists_what_is_compared_and_what_is_known_of_the_sensors() -> None:
     made = scenario("[outer, inner]")
     run = simulate(made.rig, duration=1.0, seed=2, sample_rate=5000.0).without_truth()
-    shown = " ".join(checked(made, [run]).split())
+    shown = " ".join(run_check(made, [run]).text().split())
     assert "compared: outer_V of outer; context: inner_V of inner" in shown
     assert "sensor inner: scale 1 +- 0.01, zero free, mounted the other way round" in shown
     other = read_scenario(parse_document(RIG.format(measured="[inner, outer]"), Path("rig.yaml")), Catalog(), seed=1)
-    assert "compared: inner_V of inner; context: outer_V of outer" in " ".join(checked(other, [run]).split())
+    assert "compared: inner_V of inner; context: outer_V of outer" in " ".join(run_check(other, [run]).text().split())

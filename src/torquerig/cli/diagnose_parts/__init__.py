@@ -1,5 +1,4 @@
 """Parts of ``torquerig diagnose``.
 
 by_rules, by_likelihood   the two engines, with their answers in words and pages     diagnosed   what both return
-check                     what a diagnosis would compare, without one
 """

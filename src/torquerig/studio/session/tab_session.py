@@ -25,7 +25,7 @@ from torquerig.studio.session.working_document import (
 from torquerig.studio.session.yaml_spans import Keys
 
 
-@dataclass
+@dataclass(eq=False)
 class Session:
     """The working state of one tab.
 

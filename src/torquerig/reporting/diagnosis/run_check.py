@@ -1,17 +1,18 @@
-"""Output of ``torquerig diagnose --check``: whether scenario and recordings match, and what is compared."""
+"""What a diagnosis would compare, and what looks wrong: ``torquerig diagnose --check`` and the studio show it."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from math import pi
 
 import numpy as np
 
-from torquerig.cli.suspicions import angle_sentences
 from torquerig.diagnosis.motion.lines import in_a_line
 from torquerig.diagnosis.motion.moved import BAND, moved_runs, under_measured_motion
 from torquerig.diagnosis.rig_under_test import check_recordings, check_rig
 from torquerig.diagnosis.sheet_ratio import at_ratio_of
+from torquerig.orders.angle.suspicions import angle_sentences
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.recording import Recording
 from torquerig.rig.reading_place import effort_unit
@@ -25,8 +26,45 @@ from torquerig.simulation.condensation.beforehand import said_beforehand
 _HEAD = ["recording", "samples", "per second", "compared channel", "rms", "motion"]
 
 
-def checked(scenario: Scenario, recordings: Sequence[Recording]) -> str:
-    """Return a table of what a diagnosis compares.
+@dataclass(frozen=True, kw_only=True)
+class RunCheck:
+    """What a diagnosis of these recordings compares, and what looks wrong before it is made.
+
+    Parameters
+    ----------
+    head, rows : sequence of str, sequence of rows
+        Table of the recordings: samples, rate, compared channel, rms, motion.
+    compared : tuple of str
+        Which channel was chosen and why, and what drives the model.
+    sensors : tuple of str
+        What is known of the sensors' errors.
+    suspicious : tuple of str
+        Facts of channels and set-up that contradict each other, each with the name of its recording.
+    condensed : tuple of str
+        Which fast parts of the rig are condensed.
+    fitted : tuple of str
+        Uncertain parameters, which are fitted before mechanisms are tested.
+    """
+
+    head: Sequence[str]
+    rows: Sequence[Sequence[str]]
+    compared: tuple[str, ...]
+    sensors: tuple[str, ...]
+    suspicious: tuple[str, ...]
+    condensed: tuple[str, ...]
+    fitted: tuple[str, ...]
+
+    def text(self) -> str:
+        """Return it as ``torquerig diagnose --check`` prints it."""
+        names = ", ".join(self.fitted) or "none, no parameter has a rel_sd"
+        sentences = [*self.compared, *self.sensors, *(f"suspicious: {one}" for one in self.suspicious), *self.condensed]
+        sentences.append(f"parameters fitted before mechanisms are tested: {names}")
+        last = "scenario and recordings match; no diagnosis was made"
+        return "\n".join([grid([self.head, *self.rows]), *map(wrapped, sentences), last])
+
+
+def run_check(scenario: Scenario, recordings: Sequence[Recording]) -> RunCheck:
+    """Return what a diagnosis would compare.
 
     Raises
     ------
@@ -35,24 +73,21 @@ def checked(scenario: Scenario, recordings: Sequence[Recording]) -> str:
     """
     recordings = as_driven(scenario, as_measured(recordings, scenario.rig))
     choices = (what_is_compared(one, scenario.rig) for one in recordings)
-    compared = [wrapped(choice) for choice in choices if choice is not None]
-    compared += [wrapped(shown) for one in recordings for shown in inputs_shown(scenario, one)]
-    sensors = [wrapped(prior.sentence()) for prior in sensor_priors(scenario, recordings) if prior.states_something]
+    compared = [choice for choice in choices if choice is not None]
+    compared += [shown for one in recordings for shown in inputs_shown(scenario, one)]
     is_moved = under_measured_motion(scenario.rig)
-    rows = _of_motion(scenario, recordings) if is_moved else _of_speed_loop(scenario, recordings)
-    names = sorted(scenario.uncertainties)
-    fitted = f"parameters fitted before mechanisms are tested: {', '.join(names) or 'none, no parameter has a rel_sd'}"
     ratio = None if is_moved else kinematics_of(scenario.rig).ratio
-    suspicious = [
-        wrapped(f"suspicious: {each.name}: {sentence}")
-        for each in recordings
-        for sentence in angle_sentences(each, ratio=ratio)
-    ]
     rates = dict.fromkeys(each.sample_rate for each in recordings)
-    condensed = [text for rate in rates if (text := said_beforehand(scenario.rig, rate=rate))]
-    last = "scenario and recordings match; no diagnosis was made"
-    return "\n".join(
-        [grid([_HEAD, *rows]), *compared, *sensors, *suspicious, *map(wrapped, condensed), wrapped(fitted), last]
+    return RunCheck(
+        head=_HEAD,
+        rows=_of_motion(scenario, recordings) if is_moved else _of_speed_loop(scenario, recordings),
+        compared=tuple(compared),
+        sensors=tuple(prior.sentence() for prior in sensor_priors(scenario, recordings) if prior.states_something),
+        suspicious=tuple(
+            f"{each.name}: {sentence}" for each in recordings for sentence in angle_sentences(each, ratio=ratio)
+        ),
+        condensed=tuple(text for rate in rates if (text := said_beforehand(scenario.rig, rate=rate))),
+        fitted=tuple(sorted(scenario.uncertainties)),
     )
 
 
