@@ -181,10 +181,9 @@ class Opened:
     def unfold(self, which="details"):
         self.js("(which) => document.querySelectorAll(which).forEach((one) => { one.open = true; })", which)
         if self.js("typeof plotsOnPage !== 'undefined'"):
-            self.page.wait_for_function(
-                "plotsOnPage.size === document.querySelectorAll('[data-plot]').length", timeout=20_000
-            )
-            self.js("Promise.all([...plotsOnPage.values()]).then(() => null)")
+            # a plot is drawn when it comes near the view; here all of them are
+            every = "[...document.querySelectorAll('[data-plot]')].map((one) => openPlot(one.id))"
+            self.js(f"Promise.all({every}).then(() => null)")
 
 
 @pytest.fixture

@@ -178,6 +178,48 @@ def test_a_zoom_moves_both_axes_and_draws_the_samples_of_the_view(open_page, stu
     assert found["difference"] == 0
 
 
+SWITCH = """async () => {
+  const plot = await openPlot('plot-reading'), shown = (name) => plot.document.get_model_by_name(name).visible;
+  const names = ['reading before the filter', 'error before the filter', 'reading after the filter'];
+  const button = document.querySelector('#reading .curves button'), widths = [];
+  for (const [start, end] of [[0.5, 0.52], plot.data.range]) {
+    plot.range.setv({ start, end });
+    await new Promise((done) => setTimeout(done, 200));
+    widths.push(plot.document.get_model_by_name('reading before the filter').glyph.line_width.value);
+  }
+  button.focus();
+  button.click();
+  return { pressed: button.getAttribute('aria-pressed'), text: button.innerText, shown: names.map(shown), widths };
+}"""
+
+
+def test_a_button_hides_a_curve_in_both_plots_and_crowded_curves_are_thin(open_page, study_file):
+    found = open_page(study_file).js(SWITCH)
+    assert found["text"] == "before the filter"
+    assert found["pressed"] == "false"
+    assert found["shown"] == [False, False, True]
+    assert found["widths"] == [1.3, 1]
+
+
+RUSH = """async () => {
+  const plot = await openPlot('plot-reading'), source = plot.document.get_model_by_name('before');
+  let updates = 0;
+  source.properties.data.change.connect(() => { updates += 1; });
+  for (let at = 1; at <= 20; at += 1) {
+    plot.range.setv({ start: 0.01 * at, end: 0.01 * at + 0.3 });
+    await Promise.resolve();
+  }
+  await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  return { updates, first: source.data.x[0], start: plot.range.start };
+}"""
+
+
+def test_many_changes_within_a_frame_draw_the_first_and_the_last_view(open_page, study_file):
+    found = open_page(study_file).js(RUSH)
+    assert found["updates"] <= 3  # a busy browser may begin a frame between them
+    assert found["first"] == pytest.approx(found["start"], abs=1e-3)
+
+
 def test_a_table_sorts_and_filters(open_page, study_file):
     shown = open_page(study_file)
     shown.unfold()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Sequence
 from typing import Any, Literal
 
 BEFORE, AFTER, LOAD = "#8a97a5", "#0072b2", "#d55e00"
@@ -24,7 +25,7 @@ def plot_json(model: Any, target: str) -> dict[str, Any]:
 def new_plot(
     *, x_label: str, y_label: str, x_range: Any, y_type: Literal["linear", "log"] = "linear", height: int = HEIGHT
 ) -> Any:
-    """Return an empty Bokeh plot as wide as the page, with zoom, pan and reset; legends switch curves off."""
+    """Return an empty Bokeh plot as wide as the page, with zoom, pan and reset."""
     from bokeh.plotting import figure
 
     made = figure(
@@ -37,12 +38,9 @@ def new_plot(
     return made
 
 
-def finish_legend(plot: Any) -> None:
-    """Put the legend above the plot; a click on an entry hides its curve."""
-    legend = plot.legend[0]
-    legend.click_policy, legend.orientation, legend.location = "hide", "horizontal", "top_left"
-    legend.background_fill_alpha, legend.border_line_color, legend.padding = 0.0, None, 2
-    plot.add_layout(legend, "above")
+def curve_switch(text: str, *, colour: str, renderers: Sequence[str], dashed: bool = False) -> dict[str, Any]:
+    """Return a button of the page that shows or hides the ``renderers`` of these names."""
+    return {"text": text, "colour": colour, "dashed": dashed, "renderers": list(renderers)}
 
 
 def _renumbered(item: Any) -> dict[str, Any]:

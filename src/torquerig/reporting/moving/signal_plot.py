@@ -8,12 +8,13 @@ from torquerig.metrics.truth_error import true_load
 from torquerig.recordings.recording import Recording
 from torquerig.reporting.figures.effort import effort_name, effort_unit
 from torquerig.reporting.moving.packed_curve import converter_step, packed_curve
-from torquerig.reporting.moving.plot_json import AFTER, BEFORE, LOAD, NOTHING_YET, finish_legend, new_plot, plot_json
+from torquerig.reporting.moving.plot_json import AFTER, BEFORE, LOAD, NOTHING_YET, curve_switch, new_plot, plot_json
 
 FIRST_VIEW = 0.3  # [s] some turns of the shaft; the whole recording is one click on reset away
 SHARE_OF_CODE = 0.25  # [1] of a converter step: resolution of curves computed from its codes, below their noise
 NAMES = {"before": "reading before the filter", "after": "reading after the filter", "load": "true load"}
 ERRORS = {"before": "error before the filter", "after": "error after the filter"}
+SWITCHES = {"before": "before the filter", "after": "after the filter", "load": "true load"}
 COLOURS = {"before": BEFORE, "after": AFTER, "load": LOAD}
 
 
@@ -45,6 +46,11 @@ def signal_plot(before: Recording, after: Recording, *, target: str, start: floa
         "item": plot_json(column(*plots, sizing_mode="stretch_width"), target),
         "curves": {name: packed_curve(curve, start=0.0, step=step, coarsest=finest) for name, curve in values.items()},
         "differences": differences, "x": "time [s]", "unit": unit, "range": [0.0, before.duration],
+        "legend": [
+            curve_switch(SWITCHES[name], colour=COLOURS[name], dashed=name == "load",
+                         renderers=[NAMES[name], *([ERRORS[name]] if name in ERRORS else [])])
+            for name in values
+        ],
     }  # fmt: skip
 
 
@@ -54,14 +60,13 @@ def _plot(curves: list[tuple[str, str, str]], x_range: Any, *, label: str, heigh
     plot = new_plot(x_label="time [s]", y_label=label, x_range=x_range, height=height)
     drawn = [
         plot.line("x", "y", source=_source(name), color=colour, line_width=1.8 if name == "load" else 1.3,
-                  line_dash="dashed" if name == "load" else "solid", legend_label=shown, name=shown)
+                  line_dash="dashed" if name == "load" else "solid", name=shown)
         for name, shown, colour in curves
     ]  # fmt: skip
     plot.add_tools(
         HoverTool(renderers=drawn, mode="vline", tooltips=[("", "$name"), ("time", "@x{0.00000} s"), (label, "@y")]),
         CrosshairTool(dimensions="height", line_color="#8a97a5"),
     )
-    finish_legend(plot)
     return plot
 
 

@@ -10,13 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.orders.kinematics.kinematic_lines import KinematicLine
+from torquerig.orders.kinematics.line_families import Family
 from torquerig.orders.kinematics.order_report_text import name_of
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.spectrum import hann_spectrum
 from torquerig.reporting.figures.effort import effort_unit
 from torquerig.reporting.figures.families import COLOURS, NAMES
 from torquerig.reporting.moving.packed_curve import packed_curve
-from torquerig.reporting.moving.plot_json import AFTER, BEFORE, NOTHING_YET, finish_legend, new_plot, plot_json
+from torquerig.reporting.moving.plot_json import AFTER, BEFORE, NOTHING_YET, curve_switch, new_plot, plot_json
 
 CURVES = {"before": ("before the filter", BEFORE), "after": ("after the filter", AFTER)}
 LEAST = 1e-9  # smallest amplitude that is drawn, below any converter step
@@ -61,6 +62,12 @@ def spectrum_plot(
             for name, (_, amplitude) in spectra.items()
         },
         "differences": {}, "x": "frequency [Hz]", "unit": effort_unit(before), "range": [0.0, float(frequency[-1])],
+        "legend": [
+            curve_switch(text, colour=colour, renderers=[text])
+            for text, colour in [
+                *(CURVES[name] for name in recordings), *((NAMES[one], COLOURS[one]) for one in _families(lines)),
+            ]
+        ],
     }  # fmt: skip
 
 
@@ -79,7 +86,7 @@ def _draw(plot: Any, recordings: dict[str, Recording], lines: Sequence[Kinematic
 
     low, high = plot.y_range.start, plot.y_range.end
     marks = []
-    for family in dict.fromkeys(line.family for line in lines):
+    for family in _families(lines):
         own = [line for line in lines if line.family == family]
         place = [line.frequency(motor_speed) for line in own]
         source = ColumnDataSource(data={
@@ -87,10 +94,10 @@ def _draw(plot: Any, recordings: dict[str, Recording], lines: Sequence[Kinematic
             "order": [f"{line.output_order:.5g} per output turn" for line in own],
         })  # fmt: skip
         marks.append(plot.segment("x", "low", "x", "high", source=source, color=COLOURS[family], line_width=1.5,
-                                  line_alpha=0.55, legend_label=NAMES[family]))  # fmt: skip
+                                  line_alpha=0.55, name=NAMES[family]))  # fmt: skip
     drawn = [
         plot.line("x", "y", source=ColumnDataSource(data=NOTHING_YET, name=name), color=CURVES[name][1],
-                  line_width=1.2, legend_label=CURVES[name][0], name=CURVES[name][0])
+                  line_width=1.2, name=CURVES[name][0])
         for name in recordings
     ]  # fmt: skip
     plot.add_tools(
@@ -99,4 +106,7 @@ def _draw(plot: Any, recordings: dict[str, Recording], lines: Sequence[Kinematic
                   tooltips=[("", "$name"), ("frequency", "@x{0.00} Hz"), ("amplitude", "@y")]),
         CrosshairTool(dimensions="height", line_color="#8a97a5"),
     )  # fmt: skip
-    finish_legend(plot)
+
+
+def _families(lines: Sequence[KinematicLine]) -> list[Family]:
+    return list(dict.fromkeys(line.family for line in lines))

@@ -24,26 +24,26 @@ async function openPlot(id) {
   const plot = plotData(id).then(async ({ data, curves }) => {
     const pyramids = Object.fromEntries(Object.entries(curves).map(([name, curve]) => [name, makePyramid(curve)]));
     const views = await Bokeh.embed.embed_item(data.item, id);
-    const made = views.get_by_id ? views.get_by_id(data.item.root_id).model.document : views.roots[0].model.document;
+    const view = views.get_by_id ? views.get_by_id(data.item.root_id) : views.roots[0], made = view.model.document;
     const range = made.get_model_by_name("x");
     const host = document.getElementById(id);
+    const drawn = Object.entries(pyramids).map(([name, pyramid]) => [made.get_model_by_name(name), pyramid, linesOf(made, name)]);
     const update = () => {
       const columns = Math.max(Math.round((host.clientWidth || 800) / COLUMN), 200);
-      for (const [name, pyramid] of Object.entries(pyramids)) {
-        const source = made.get_model_by_name(name);
-        if (source) source.data = pyramidView(pyramid, range.start, range.end, columns);
+      for (const [source, pyramid, lines] of drawn) {
+        if (!source) continue;
+        const { x, y, crowded } = pyramidView(pyramid, range.start, range.end, columns);
+        for (const [line, width] of lines) line.line_width = { value: crowded ? 1 / devicePixelRatio : width };
+        source.data = { x, y };
       }
     };
-    let waits = false;
-    const soon = () => {
-      if (waits) return;
-      waits = true;
-      queueMicrotask(() => { waits = false; update(); }); // both ends of the range first, and before the plot is painted
-    };
+    const soon = oncePerFrame(update);
     range.properties.start.change.connect(soon);
     range.properties.end.change.connect(soon);
     update();
-    colourPlot(made);
+    keepLayout(view);
+    host.before(curveSwitches(data.legend, made));
+    colourPlot(made, host);
     host.closest("figure").classList.add("moves");
     return { data, curves, pyramids, document: made, range, update };
   });
@@ -51,24 +51,84 @@ async function openPlot(id) {
   return plot;
 }
 
+// Lines drawn from a source, with the width of a curve that is not crowded. A crowded one is a band, as wide with the
+// thinnest stroke, which browsers draw several times faster than wider ones.
+function linesOf(made, name) {
+  const source = made.get_model_by_name(name);
+  const renderers = [...made._all_models.values()].filter((one) => one.type === "GlyphRenderer" && one.data_source === source);
+  return renderers.map(({ glyph }) => [glyph, glyph.line_width.value]);
+}
+
+// At once where the last change is a frame ago, so that curves and axes move together; else once in the next frame.
+function oncePerFrame(update) {
+  let waits = false, again = false;
+  const frame = () => {
+    waits = again;
+    if (!again) return;
+    again = false;
+    requestAnimationFrame(frame);
+    update();
+  };
+  return () => {
+    if (waits) { again = true; return; }
+    waits = true;
+    requestAnimationFrame(frame);
+    queueMicrotask(update); // both ends of the range first, and before the plot is painted
+  };
+}
+
+// Axes may grow and not shrink: each new layout, for a label of other width, takes as long as drawing.
+function keepLayout(view) {
+  const seen = new Set();
+  const visit = (one) => {
+    if (!one || seen.has(one)) return;
+    seen.add(one);
+    if (one.panel && one.layout && one.layout.has_size_changed) {
+      Object.getPrototypeOf(one.layout).has_size_changed = function grown() {
+        const { width, height } = this._content_size();
+        return this.panel.is_horizontal ? height > this.bbox.height : width > this.bbox.width;
+      };
+    }
+    [...(one.child_views || []), ...(one.renderer_views ? one.renderer_views.values() : [])].forEach(visit);
+  };
+  visit(view);
+}
+
+// A button for each curve, which the keyboard reaches; the library's legend is drawn anew with every change of data.
+function curveSwitches(entries, made) {
+  const switches = entries.map(({ text, colour, dashed, renderers }) => {
+    const swatch = element("i", { "data-colour": colour, style: `border-top-style:${dashed ? "dashed" : "solid"}` });
+    const button = element("button", { type: "button", "aria-pressed": "true", title: "show or hide" }, swatch, text);
+    button.addEventListener("click", () => {
+      const shown = button.getAttribute("aria-pressed") !== "true";
+      button.setAttribute("aria-pressed", `${shown}`);
+      for (const name of renderers) { const one = made.get_model_by_name(name); if (one) one.visible = shown; }
+    });
+    return button;
+  });
+  return element("div", { class: "curves", role: "group", "aria-label": "curves" }, ...switches);
+}
+
 const ON_DARK = { "#0072b2": "#56b4e9", "#d55e00": "#f0a04b" }; // curves that are too dark there
 
-function colourPlot(made) {
+function colourPlot(made, host) {
   const style = getComputedStyle(document.documentElement);
-  const dark = matchMedia("(prefers-color-scheme: dark)").matches, narrow = document.documentElement.clientWidth < 600;
+  const dark = matchMedia("(prefers-color-scheme: dark)").matches;
+  const shadeOfCurve = (colour) => {
+    const [light, shade] = Object.entries(ON_DARK).find((pair) => pair.includes(colour)) || [colour, colour];
+    return dark ? shade : light;
+  };
   const ink = style.getPropertyValue("--ink").trim(), line = style.getPropertyValue("--line").trim();
   for (const model of made._all_models.values()) {
     if (model.type && model.type.endsWith("Axis")) {
       model.setv({ axis_label_text_color: ink, major_label_text_color: ink, axis_line_color: line, major_tick_line_color: line, minor_tick_line_color: null, axis_label_text_font_style: "normal" });
     } else if (model.type === "Grid") {
       model.grid_line_color = line;
-    } else if (model.type === "Legend") {
-      model.setv({ label_text_color: ink, background_fill_color: null, label_text_font_size: "12px", orientation: narrow ? "vertical" : "horizontal" });
     } else if (model.type === "Line" && model.line_color && model.line_color.value) {
-      const [light, shade] = Object.entries(ON_DARK).find((pair) => pair.includes(model.line_color.value)) || [];
-      if (light) model.line_color = { value: dark ? shade : light };
+      model.line_color = { value: shadeOfCurve(model.line_color.value) };
     }
   }
+  for (const one of host.parentElement.querySelectorAll("[data-colour]")) one.style.borderTopColor = shadeOfCurve(one.dataset.colour);
 }
 
 function wholeRange(id) {
@@ -77,10 +137,13 @@ function wholeRange(id) {
 
 function startPlots() {
   const scheme = matchMedia("(prefers-color-scheme: dark)");
-  scheme.addEventListener("change", () => plotsOnPage.forEach((plot) => plot.then((one) => colourPlot(one.document))));
-  for (const host of document.querySelectorAll("[data-plot]")) {
-    const folded = host.closest("details");
-    if (folded && !folded.open) folded.addEventListener("toggle", () => folded.open && openPlot(host.id));
-    else openPlot(host.id);
-  }
+  const recolour = (plot, id) => plot.then((one) => colourPlot(one.document, document.getElementById(id)));
+  scheme.addEventListener("change", () => plotsOnPage.forEach(recolour));
+  const watch = new IntersectionObserver((seen) => { // what is folded or far below waits until it comes near
+    for (const { target } of seen.filter((one) => one.isIntersecting)) {
+      watch.unobserve(target);
+      openPlot(target.querySelector("[data-plot]").id);
+    }
+  }, { rootMargin: "300px" });
+  document.querySelectorAll("figure:has([data-plot])").forEach((figure) => watch.observe(figure));
 }

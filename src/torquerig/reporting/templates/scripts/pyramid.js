@@ -19,46 +19,56 @@ async function unpackCurve(curve) {
   return { values, start: curve.start, step: curve.step };
 }
 
-// Blocks of `size` blocks of a level: the samples with the lowest and the highest value, by their index.
+// Blocks of `size` samples, or of `size` blocks of a level: the samples with the lowest and the highest value, by index.
 function merged(values, level, size) {
-  const count = Math.ceil(level.lowAt.length / size);
+  const known = level ? level.lowAt.length : values.length, count = Math.ceil(known / size);
   const lowAt = new Uint32Array(count), highAt = new Uint32Array(count);
   for (let block = 0, at = 0; block < count; block += 1) {
-    const end = Math.min(at + size, level.lowAt.length);
-    let low = level.lowAt[at], high = level.highAt[at];
+    const end = Math.min(at + size, known);
+    let low = level ? level.lowAt[at] : at, high = level ? level.highAt[at] : at;
+    let least = values[low], most = values[high];
     for (at += 1; at < end; at += 1) {
-      if (values[level.lowAt[at]] < values[low]) low = level.lowAt[at];
-      if (values[level.highAt[at]] > values[high]) high = level.highAt[at];
+      const lower = level ? level.lowAt[at] : at, higher = level ? level.highAt[at] : at;
+      if (values[lower] < least) { low = lower; least = values[lower]; }
+      if (values[higher] > most) { high = higher; most = values[higher]; }
     }
     lowAt[block] = low;
     highAt[block] = high;
   }
-  return { block: level.block * size, lowAt, highAt };
+  return { block: (level ? level.block : 1) * size, lowAt, highAt };
 }
 
 function makePyramid(curve) {
-  const all = Uint32Array.from(curve.values, (_, at) => at), levels = [{ block: 1, lowAt: all, highAt: all }];
-  let size = FIRST_BLOCK;
-  while (levels[levels.length - 1].lowAt.length > 2 * size) {
+  const levels = [];
+  let blocks = curve.values.length, size = FIRST_BLOCK;
+  while (blocks > 2 * size) {
     levels.push(merged(curve.values, levels[levels.length - 1], size));
+    blocks = levels[levels.length - 1].lowAt.length;
     size = NEXT_BLOCK;
   }
   return { curve, levels };
 }
 
-// The part from x `from` to x `to` as at most about 3 * columns points: of each block its lowest and its highest sample.
+// The part from x `from` to x `to` as at most 1.5 points a pixel of `columns` pairs of pixels: the samples themselves, or of
+// each block its lowest and its highest sample. `crowded`: so many that neighbours touch.
 function pyramidView(pyramid, from, to, columns) {
-  const { start, step, values } = pyramid.curve, x = [], y = [];
+  const { start, step, values } = pyramid.curve;
   const first = Math.max(Math.floor((from - start) / step) - 1, 0);
-  const last = Math.min(Math.ceil((to - start) / step) + 1, values.length - 1);
-  if (last < first) return { x, y };
-  const fits = (one) => (last - first + 1) / one.block <= (one.block === 1 ? DRAWN_AS_IS : 1) * columns;
-  const level = pyramid.levels.find(fits) || pyramid.levels[pyramid.levels.length - 1];
-  const add = (at) => { x.push(start + at * step); y.push(values[at]); };
-  for (let block = Math.floor(first / level.block); block <= Math.floor(last / level.block); block += 1) {
+  const last = Math.min(Math.ceil((to - start) / step) + 1, values.length - 1), samples = last - first + 1;
+  if (samples < 1) return { x: [], y: [], crowded: false };
+  const level = pyramid.levels.find((one) => samples / one.block <= columns) || pyramid.levels[pyramid.levels.length - 1];
+  if (samples <= DRAWN_AS_IS * columns || !level) {
+    const x = new Float64Array(samples).map((_, at) => start + (first + at) * step);
+    return { x, y: values.slice(first, last + 1), crowded: samples > columns / 2 };
+  }
+  const begin = Math.floor(first / level.block), end = Math.floor(last / level.block);
+  const x = new Float64Array(2 * (end - begin + 1)), y = new Float64Array(x.length);
+  let count = 0;
+  const add = (at) => { x[count] = start + at * step; y[count] = values[at]; count += 1; };
+  for (let block = begin; block <= end; block += 1) {
     const low = level.lowAt[block], high = level.highAt[block];
     add(Math.min(low, high));
     if (low !== high) add(Math.max(low, high));
   }
-  return { x, y };
+  return { x: x.subarray(0, count), y: y.subarray(0, count), crowded: true };
 }
