@@ -2,56 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
+from tests.inference.pump_bench import pump_scenario, recorded, simulated
 from torquerig import mechanisms
-from torquerig.catalog.search import catalog_for
-from torquerig.cli.common_options import edited
 from torquerig.inference.answer import as_json
 from torquerig.inference.engine import diagnose
 from torquerig.recordings.recording import Channel
-from torquerig.scenario.reading import read_scenario
-from torquerig.simulation.simulator import simulate
-
-SCENARIO = """\
-scenario: pump bench
-operating_point: {motor_speed: 1200 rpm}
-measured: sensor
-rig:
-  motor: {kind: motor, inertia: {value: 0.002 kg*m^2, rel_sd: 0.1}, pole_pairs: 4, slots: 12,
-          current_loop_bandwidth: 500 Hz, torque_limit: 20 N*m}
-  sensor: {kind: torque_sensor, stiffness: {value: 3000 N*m/rad, rel_sd: 0.05}, damping: 0.5 N*m*s/rad,
-           inertia: 0.0005 kg*m^2, sensitivity: 0.5 V/(N*m), bandwidth: 500 Hz, noise_rms: 0.002 V}
-  shaft: {kind: coupling, stiffness: {value: 2000 N*m/rad, rel_sd: 0.1}, damping: 0.5 N*m*s/rad}
-  pump: {kind: body, inertia: {value: 0.01 kg*m^2, rel_sd: 0.1}, viscous: {value: 0.003 N*m*s/rad, rel_sd: 0.2}}
-  controller: {kind: speed_controller, motor: motor, kp: 0.4 N*m*s/rad, ki: 1 N*m/rad}
-  lines: {kind: torque_ripple, at: pump, group: mechanical, amplitudes: {1: 0.05 N*m}, amplitude_rel_sd: 0.2}
-  load: {kind: particle_load, at: pump, mean_by_occupancy_percent: {0: 2 N*m, 100: 2 N*m}, hit_rms: 0.02}
-"""
 
 
 @pytest.fixture(scope="module")
 def scenario(tmp_path_factory):
-    path = tmp_path_factory.mktemp("pump") / "scenario.yaml"
-    path.write_text(SCENARIO, encoding="utf-8")
-    return read_scenario(edited(path, ()), catalog_for(path, ()), seed=0)
-
-
-def simulated(scenario, *added):
-    rig = scenario.rig
-    for part in added:
-        rig = rig + part
-    for index, rpm in enumerate((800.0, 1200.0)):
-        run = replace(rig.run, speed=rpm * np.pi / 30)
-        made = simulate(rig.at(run), duration=6.0, seed=10 + index, sample_rate=2000.0, wander=1e-3)
-        yield replace(made, name=f"run{index + 1}.parquet", run=run)
-
-
-def recorded(scenario, *added):
-    return [made.without_truth() for made in simulated(scenario, *added)]
+    return pump_scenario(tmp_path_factory.mktemp("pump"))
 
 
 def answered(scenario, *added):

@@ -82,7 +82,9 @@ def command(
     """
     _check_options(engine, held_out, report)
     if check:
-        _check(recordings, scenario, settings, catalogs, seed=seed, out=out)
+        foreign = [*([(model, _MARK)] if model else []), *([(report, _PAGE)] if report else [])]
+        _check(recordings, scenario, settings, catalogs, seed=seed, out=out, engine=engine, held_out=held_out,
+               written=foreign)  # fmt: skip
         return
     from torquerig.cli.progress import stages
     from torquerig.diagnosis.outcome import SCHEMA
@@ -182,26 +184,33 @@ def _read(paths: tuple[Path, ...]) -> list[Recording]:
 
 def _check(
     recordings: tuple[Path, ...], scenario: Path, settings: tuple[str, ...], catalogs: tuple[Path, ...], *,
-    seed: int, out: str | None,
+    seed: int, out: str | None, engine: str, held_out: tuple[str, ...], written: Sequence[tuple[Path, str]],
 ) -> None:  # fmt: skip
     from torquerig.reporting.diagnosis.run_check import run_check
+    from torquerig.reporting.json_results.diagnosis import DiagnoseCheckResult
 
     inputs = (*recordings, *map(sidecar_path, recordings), scenario)
     if out not in (None, "-"):
         mark = '"schema": "torquerig.diagnose-check/'
         check_output_paths([(Path(str(out)), mark)], inputs=inputs, what="JSON of torquerig diagnose --check")
+    check_output_paths(written, inputs=inputs)
     made = read_scenario(edited(scenario, settings), catalog_for(scenario, catalogs), seed=seed)
-    text = run_check(made, _read(recordings)).text()
+    read = _read(recordings)
+    text = run_check(made, read).text()
+    result = DiagnoseCheckResult(tuple(text.splitlines()))
+    if engine == "likelihood":
+        from torquerig.cli.diagnose_parts.check_likelihood import checked_by_likelihood
+
+        result = checked_by_likelihood(made, read, text.splitlines(), held_out=held_out)
     if out != "-":
-        click.echo(text)
+        click.echo("\n".join(result.lines))
     if out is not None:
-        from torquerig.reporting.json_results.diagnosis import DiagnoseCheckResult
         from torquerig.reporting.json_results.document import json_document
         from torquerig.reporting.json_results.provenance import provenance_of
 
         folders = catalog_folders(scenario, catalogs)
         origin = provenance_of(inputs, seed=seed, catalogs=folders, options=_options())
-        document = json_document("diagnose-check", DiagnoseCheckResult(tuple(text.splitlines())), origin)
+        document = json_document("diagnose-check", result, origin)
         write_json(json_text(document), out)
 
 

@@ -9,5 +9,6 @@ parameters, fit         the nominal rig's numbers, their maximum of the posterio
 additions/, addition    hypotheses: nameless effects, numbers far off, mechanisms      context, shafts, tones   for them
 search                  the additions of the largest posterior odds
 adequacy, held_out      whether a model explains the data, and those that no fit has seen
+isolability/            what recordings can show and tell apart
 engine                  all of it in order                        answer/   in the form of the contract
 """

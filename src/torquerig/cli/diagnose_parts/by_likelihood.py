@@ -19,6 +19,12 @@ from torquerig.scenario.model import Scenario
 from torquerig.scenario.recorded.compared_channel import as_measured
 
 
+def refuse_measured_motion(scenario: Scenario) -> None:
+    """Raise InputError for a rig whose motion was measured, which this engine does not compare yet."""
+    if under_measured_motion(scenario.rig):
+        raise InputError("--engine likelihood does not compare rigs whose motion was measured yet; leave --engine out")
+
+
 def diagnosed_by_likelihood(
     scenario: Scenario, recordings: Sequence[Recording], *, held_out: Sequence[str], seed: int,
     progress: Callable[[str], None],
@@ -32,8 +38,7 @@ def diagnosed_by_likelihood(
     InputError
         For a rig whose motion was measured, which this engine does not compare yet.
     """
-    if under_measured_motion(scenario.rig):
-        raise InputError("--engine likelihood does not compare rigs whose motion was measured yet; leave --engine out")
+    refuse_measured_motion(scenario)
     names = [Path(one).name for one in held_out]
     outcome = diagnose(scenario, as_measured(recordings, scenario.rig), held_out=names, progress=progress)
     return Diagnosed(

@@ -10,6 +10,7 @@ import numpy as np
 from torquerig.inference.answer.confidence import confidence, far_numbers, named, nameless
 from torquerig.inference.answer.effects import finding, unnamed
 from torquerig.inference.answer.held_out_figures import fit_figures
+from torquerig.inference.answer.isolated import next_experiment, upper_limits
 from torquerig.inference.answer.located import differences, remaining
 from torquerig.inference.answer.numbers import digits
 from torquerig.inference.answer.rms import rms_errors
@@ -28,15 +29,17 @@ def as_json(outcome: Outcome) -> dict[str, Any]:
         number_answer(outcome.model.fit, each.knobs[0], confidence=confidence(outcome, each))
         for each in far_numbers(outcome)
     )
+    word = verdict(outcome)
     return {
         "schema": SCHEMA,
-        "verdict": verdict(outcome),
+        "verdict": word,
         "mismatch": [*differences(outcome), *remaining(outcome)],
-        "findings": [finding(outcome, each, next_experiment=None) for each in named(outcome)],
+        "findings": [finding(outcome, each, next_experiment=next_experiment(outcome, each)) for each in named(outcome)],
         "setup": [*map(fault_answer, outcome.setup), *numbers],
         "unnamed": [unnamed(outcome, each) for each in nameless(outcome)],
         "fit": fit_figures(outcome),
         "rms": rms_errors(outcome),
+        "upper_limits": upper_limits(outcome) if word == "adequate" else [],
         "set_aside": rejected(outcome),
         "model": None,
         "recordings": [

@@ -87,7 +87,34 @@ class DiagnosisJson:
 
 
 @dataclass(frozen=True)
+class UpperLimit:
+    """The smallest size of a mechanism that recordings would show, at a place; ``grows`` is down for a cutoff."""
+
+    mechanism: str
+    parameter: str
+    value: float
+    unit: str
+    place: str
+    grows: Literal["up", "down"]
+
+
+@dataclass(frozen=True)
+class InseparablePair:
+    """Two hypotheses that recordings do not separate, and which run does."""
+
+    one: str
+    other: str
+    mechanisms: tuple[str, str]
+    next_experiment: str
+
+
+@dataclass(frozen=True)
 class DiagnoseCheckResult:
-    """What a diagnosis would compare, line by line as ``torquerig diagnose --check`` prints it."""
+    """What a diagnosis would compare, line by line as ``torquerig diagnose --check`` prints it.
+
+    With ``--engine likelihood`` also what the recordings would show, and what they cannot tell apart.
+    """
 
     lines: tuple[str, ...]
+    upper_limits: tuple[UpperLimit, ...] = ()
+    inseparable: tuple[InseparablePair, ...] = ()

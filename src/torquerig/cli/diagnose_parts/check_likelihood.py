@@ -1,0 +1,62 @@
+"""``torquerig diagnose --check --engine likelihood``: what recordings would show, and what they cannot tell apart."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from torquerig.cli.diagnose_parts.by_likelihood import refuse_measured_motion
+from torquerig.cli.progress import stages
+from torquerig.inference.engine import prepared
+from torquerig.inference.isolability.beforehand import Beforehand, beforehand
+from torquerig.plain_table import grid, wrapped
+from torquerig.recordings.recording import Recording
+from torquerig.reporting.diagnosis.sentences import mechanism_text
+from torquerig.reporting.json_results.diagnosis import DiagnoseCheckResult, InseparablePair, UpperLimit
+from torquerig.reporting.layout import plain
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.recorded.compared_channel import as_measured
+
+
+def checked_by_likelihood(
+    scenario: Scenario, recordings: Sequence[Recording], lines: Sequence[str], *, held_out: Sequence[str]
+) -> DiagnoseCheckResult:
+    """Return the check of the first engine, ``lines``, with what the recordings would show of each mechanism.
+
+    The nominal rig is fitted as a diagnosis fits it, so that what a diagnosis refuses is refused here.
+
+    Raises
+    ------
+    InputError, RecordingError
+        As a diagnosis.
+    """
+    refuse_measured_motion(scenario)
+    names = [Path(one).name for one in held_out]
+    with stages("diagnose --check") as progress:
+        ready = prepared(scenario, as_measured(recordings, scenario.rig), held_out=names, progress=progress)
+        progress("computing what the recordings would show")
+        found = beforehand(ready)
+    *first, last = lines
+    return DiagnoseCheckResult(
+        (*first, *_text(found), last),
+        tuple(UpperLimit(**each) for each in found.upper_limits),
+        tuple(InseparablePair(each.one, each.other, each.mechanisms, each.next_experiment)
+              for each in found.inseparable),
+    )  # fmt: skip
+
+
+def _text(found: Beforehand) -> Iterator[str]:
+    if found.upper_limits:
+        yield "smallest sizes that these runs would show (in 95 % of such runs):"
+        rows = [
+            [mechanism_text(each["mechanism"]), each["parameter"],
+             f"{'below' if each['grows'] == 'down' else 'from'} {plain(each['value'])} {each['unit']}", each["place"]]
+            for each in found.upper_limits
+        ]  # fmt: skip
+        yield from grid([["mechanism", "parameter", "size", "tested place"], *rows], right=()).splitlines()
+    for pair in found.inseparable:
+        yield from wrapped(
+            f"these runs do not separate {pair.one} from {pair.other}. {pair.next_experiment}"
+        ).splitlines()
+    if found.upper_limits and not found.inseparable:
+        yield "these runs separate all mechanisms at twice these sizes"

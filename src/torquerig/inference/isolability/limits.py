@@ -1,0 +1,65 @@
+"""The smallest size of each mechanism that recordings would show."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from torquerig.inference.addition import Addition
+from torquerig.inference.isolability.signatures import Projection, Signature, signature
+
+_PER_MECHANISM = 4  # hypotheses of a mechanism that are followed to their smallest size
+
+
+def smallest(projection: Projection, hypotheses: Iterable[Addition]) -> list[Signature]:
+    """Return the hypotheses at their smallest visible sizes, at most ``_PER_MECHANISM`` of each mechanism.
+
+    Those are chosen by how much they change at the medians of their priors.
+    """
+    by_mechanism: dict[str, list[Addition]] = {}
+    for each in hypotheses:
+        if each.is_named:
+            by_mechanism.setdefault(each.mechanism, []).append(each)
+    found = []
+    for own in by_mechanism.values():
+        for each in _clearest(projection, own):
+            one = signature(projection, each)
+            found += [] if one is None else [one]
+    return found
+
+
+def best_by_mechanism(found: Sequence[Signature]) -> list[Signature]:
+    """Return the one of each mechanism whose smallest size is smallest, by name."""
+    best: dict[str, Signature] = {}
+    for each in found:
+        other = best.get(each.addition.mechanism)
+        if other is None or _smaller(each, other):
+            best[each.addition.mechanism] = each
+    return [best[name] for name in sorted(best)]
+
+
+def as_limit(each: Signature) -> dict[str, Any]:
+    """Return the limit in the form of the contract, with the place that it holds for."""
+    return {
+        "mechanism": each.addition.mechanism, "parameter": each.reported.name,
+        "value": float(f"{abs(each.value):.3g}"), "unit": each.reported.unit, "place": each.addition.label,
+        "grows": "down" if each.grows_down else "up",
+    }  # fmt: skip
+
+
+def _smaller(one: Signature, other: Signature) -> bool:
+    if one.reported.name != other.reported.name:
+        return False
+    return abs(one.value) > abs(other.value) if one.grows_down else abs(one.value) < abs(other.value)
+
+
+def _clearest(projection: Projection, own: Sequence[Addition]) -> list[Addition]:
+    import numpy as np
+
+    if len(own) <= _PER_MECHANISM:
+        return list(own)
+    sizes = []
+    for each in own:
+        change = projection.change(each, np.array(each.starts[0]) * 0.0)
+        sizes.append(0.0 if change is None else float(np.linalg.norm(change)))
+    return [own[at] for at in np.argsort(sizes)[::-1][:_PER_MECHANISM].tolist()]

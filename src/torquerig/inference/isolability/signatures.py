@@ -1,0 +1,153 @@
+"""What a hypothesis changes in the features, in standard deviations, with all nuisances projected out.
+
+With J the derivatives of the standardised residuals by the parameters of the model, whose prior is a standard normal
+distribution, a change ``d`` of the residuals keeps ``|d|^2 = d' (I - J (J'J + I)^-1 J') d`` of its square when the
+parameters follow it. Half of it is the gain of log-likelihood [nats] that the hypothesis would bring.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnosis.fitting.knobs import turned
+from torquerig.errors import TorquerigError
+from torquerig.inference.addition import DECADE, Addition, Reported
+from torquerig.inference.context import Context
+from torquerig.inference.fit import all_residuals
+from torquerig.inference.prediction.expected_run import expected_run
+from torquerig.inference.search import LEAST_GAIN
+
+Floats = NDArray[np.float64]
+
+_DECADES = 4.0  # around the median of the prior in which the smallest size is searched
+_FAR = 4.0  # [standard deviations of the prior] the same of a parameter with a sign
+_STEPS = 11  # halvings: to 1 %
+_FREEDOM = 3.0  # [nats] that a size costs which is then known to a twentieth of its prior's decade
+ONE_SIDED = 1.645  # standard deviations: 95 % of all recordings show more
+
+
+@dataclass(frozen=True, eq=False)
+class Signature:
+    """A hypothesis at the smallest size that these runs would show.
+
+    Parameters
+    ----------
+    addition : Addition
+    reported : Reported
+        The parameter that measures its size.
+    value : float
+        In the unit of ``reported``.
+    positions : ndarray, shape (knobs,)
+        Of the addition's parameters.
+    change : ndarray, shape (features + parameters,)
+        Change of the standardised residuals, nuisances projected out.
+    grows_down : bool
+        Whether a smaller value is the larger effect, as with a cutoff.
+    two_sided : bool
+        Whether the effect has a sign.
+    """
+
+    addition: Addition
+    reported: Reported
+    value: float
+    positions: Floats
+    change: Floats
+    grows_down: bool
+    two_sided: bool
+
+
+def required(each: Addition) -> float:
+    """Return the size of a change [standard deviations] from which an addition is found in 95 % of recordings."""
+    return float(np.sqrt(2 * (LEAST_GAIN - each.log_odds + _FREEDOM))) + ONE_SIDED
+
+
+class Projection:
+    """Changes of a model's residuals with its parameters projected out."""
+
+    def __init__(self, context: Context) -> None:
+        self.context = context
+        fit, data = context.fit, context.data
+        self.base = all_residuals(data, fit.expected, fit.gains, fit.off)
+        stacked = np.concatenate([fit.jacobian, np.eye(fit.jacobian.shape[1])])
+        self.along = np.linalg.qr(stacked)[0]
+
+    def change(self, each: Addition, positions: Floats) -> Floats | None:
+        """Return what an addition with its parameters at ``positions`` changes; None where there is no such rig."""
+        fit, data = self.context.fit, self.context.data
+        try:
+            rig = turned(each.added_to(self.context.rig), each.knobs, positions)
+            expected = [expected_run(rig, seen) for seen in data.seen]
+        except (TorquerigError, ValueError, OverflowError, np.linalg.LinAlgError):
+            return None
+        there = all_residuals(data, expected, fit.gains, fit.off)
+        moved = [(one.value - own.value) / own.sd for one, own in zip(there, self.base, strict=True)]
+        full = np.concatenate([*moved, np.zeros(self.along.shape[1])])
+        return np.asarray(full - self.along @ (self.along.T @ full))
+
+
+def signature(projection: Projection, each: Addition) -> Signature | None:
+    """Return a hypothesis at its smallest visible size; None where no size within four decades is visible.
+
+    Its size is one of the reported parameters: an amplitude, with all other amplitudes in proportion; else the
+    parameter with which the effect vanishes, and of several the one that grows up and moves least.
+    """
+    best: Signature | None = None
+    for one in each.reported:
+        columns = _size_columns(each, one)
+        found = None if columns is None else _along(projection, each, one, columns)
+        if found is not None and columns is not None and each.knobs[columns[0]].spread == DECADE:
+            return found
+        if found is not None and (best is None or _reach(found) < _reach(best)):
+            best = found
+    return best
+
+
+def _size_columns(each: Addition, one: Reported) -> tuple[int, ...] | None:
+    """Return the parameters that move with a reported one, itself first: all amplitudes that nobody knows."""
+    part = each.parts[0].name
+    own = next(
+        (at for at, knob in enumerate(each.knobs) if (knob.part, knob.field, knob.key) == (part, one.field, one.key)),
+        None,
+    )
+    if own is None:
+        return None
+    alike = [at for at, knob in enumerate(each.knobs) if at != own and knob.spread == each.knobs[own].spread == DECADE]
+    return (own, *alike)
+
+
+def _reach(found: Signature) -> tuple[bool, float]:
+    spreads = np.array([knob.spread if knob.factor else DECADE for knob in found.addition.knobs])
+    return found.grows_down, float(np.abs(found.positions * spreads).max())
+
+
+def _along(projection: Projection, each: Addition, one: Reported, columns: tuple[int, ...]) -> Signature | None:
+    """Return where the change reaches the required size along some parameters that make the effect vanish."""
+    wanted, knob = required(each), each.knobs[columns[0]]
+
+    def at(position: float) -> Floats:
+        positions = np.zeros(len(each.knobs))
+        positions[list(columns)] = position
+        return positions
+
+    def size(position: float) -> float:
+        found = projection.change(each, at(position))
+        return np.nan if found is None else float(np.linalg.norm(found))
+
+    far = _DECADES * DECADE / knob.spread
+    ends = (-far, far) if knob.factor else (0.0, _FAR)
+    sizes = [size(end) for end in ends]
+    if not (np.isfinite(sizes).all() and min(sizes) < wanted < max(sizes)):
+        return None
+    down = sizes[0] > sizes[1]
+    none, full = ends[::-1] if down else ends
+    for _ in range(_STEPS):
+        middle = 0.5 * (none + full)
+        none, full = (none, middle) if size(middle) >= wanted else (middle, full)
+    there = projection.change(each, at(full))
+    if there is None:
+        return None
+    value = knob.turned(knob.value(each.added_to(projection.context.rig)), full)
+    return Signature(each, one, value, at(full), there, grows_down=down, two_sided=not knob.factor)
