@@ -10,6 +10,9 @@ import pytest
 # before numpy is imported: the matrices are small, so further threads only wait, and beside a second worker they cost
 # a third of the processor's time
 os.environ |= dict.fromkeys(("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1") | dict(os.environ)
+# no test reads what an earlier version of the code has kept, or writes to the folder of the user; those of kept results
+# name a folder
+os.environ["TORQUERIG_CACHE"] = "none"
 
 # one worker compiles the integrator with this file, while the other has files that need no compiled kernel
 COMPILING, UNCOMPILED = "simulation/test_two_masses", "recordings/files/"

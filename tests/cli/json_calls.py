@@ -26,6 +26,7 @@ components:
 """
 QUICK: dict[str, tuple[str, ...]] = {
     "batch": ("batch", "info", "folder"),
+    "cache": ("cache", "--cache", "kept"),
     "catalog-check": ("catalog", "check", str(SCENARIOS.parent / "catalogs" / "gearboxes")),
     "catalog-export": ("catalog", "export", "reference-5-1", "gear.xml"),
     "catalog-import": ("catalog", "import", "given.xml", "gearbox.yaml"),

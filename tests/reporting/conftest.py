@@ -19,7 +19,8 @@ from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
 from torquerig.reporting.study.report import write_study_report
 from torquerig.scenario.kinematics import kinematics_of
-from torquerig.study.candidates import Candidate, scenario_of
+from torquerig.study.candidate import Candidate
+from torquerig.study.candidates import scenario_of
 from torquerig.study.definition import open_study
 from torquerig.study.results import ChainResult, DriveResult, StudyRuns
 from torquerig.study.scoring import decide

@@ -13,7 +13,8 @@ from torquerig.document import read_document
 from torquerig.filters.chains.filter_chain import Chain
 from torquerig.metrics.residual_disturbance import simulated_reading_pair
 from torquerig.metrics.sizing.drive_sizing import SIZING_UNITS
-from torquerig.study.candidates import Candidate, scenario_of
+from torquerig.study.candidate import Candidate
+from torquerig.study.candidates import scenario_of
 from torquerig.study.criteria import UNITS, criteria_of
 from torquerig.study.definition import open_study
 from torquerig.study.ratio_sweep import middle, ratio_sweep

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import asdict, dataclass, field
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
@@ -15,6 +17,7 @@ from typing import Any
 from torquerig.cases.case import Column, checked_columns
 from torquerig.errors import InputError
 from torquerig.version import __version__
+from torquerig.whole_file import whole_file
 
 SOURCES = "torquerig's sources"
 FORMAT = 1  # of a store's folder
@@ -22,9 +25,12 @@ LIBRARIES = ("numpy", "scipy", "numba")  # a digit of a result can depend on the
 
 
 @cache
-def code_here() -> Mapping[str, str]:
-    """Return the versions of the code of this process, which the answers of a case may depend on."""
-    found = {"torquerig": __version__, SOURCES: sources_digest()}
+def code_here(memory: Path | None = None) -> Mapping[str, str]:
+    """Return the versions of the code of this process, which the answers of a case may depend on.
+
+    ``memory`` is a file that remembers the digest of the sources as long as their files stay the same.
+    """
+    found = {"torquerig": __version__, SOURCES: sources_digest() if memory is None else remembered_digest(memory)}
     found["python"] = f"{sys.version_info.major}.{sys.version_info.minor}"
     for library in LIBRARIES:
         try:
@@ -81,6 +87,35 @@ def sources_digest() -> str:
     for path in sorted(root.rglob("*.py")):
         digest.update(path.relative_to(root).as_posix().encode() + b"\0" + path.read_bytes() + b"\0")
     return digest.hexdigest()
+
+
+def remembered_digest(memory: Path) -> str:
+    """Return :func:`sources_digest`, read from a file while names, sizes and times of the sources are those it holds.
+
+    A file that cannot be read or written is no obstacle.
+    """
+    state = digest_of(repr(sorted(_states(str(Path(__file__).resolve().parents[1])))))
+    with suppress(OSError, ValueError, AttributeError):
+        found = json.loads(memory.read_text(encoding="utf-8")).get(state)
+        if isinstance(found, str):
+            return found
+    found = sources_digest()
+    with suppress(OSError):
+        memory.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
+        with whole_file(memory) as partial:
+            partial.write_text(json.dumps({state: found}), encoding="utf-8")
+    return found
+
+
+def _states(folder: str) -> Iterator[tuple[str, int, int, int]]:
+    """Yield path, size, time of change and number of each source file."""
+    with os.scandir(folder) as found:
+        for one in found:
+            if one.name.endswith(".py"):
+                state = one.stat()
+                yield one.path, state.st_size, state.st_mtime_ns, state.st_ino
+            elif one.name != "__pycache__" and one.is_dir(follow_symlinks=False):
+                yield from _states(one.path)
 
 
 def digest_of(text: str | bytes) -> str:

@@ -1,7 +1,7 @@
 """The command line: one command per file, each imported only when it is called.
 
 init  catalog  orders  ordermap  modes  simulate  duty  size  synth  info  sheet  join  filter  matrix  diagnose  differ
-batch  schema  completion  reference-results  reference-decision  study  optimise  compare
+batch  cache  schema  completion  reference-results  reference-decision  study  optimise  compare
 """
 
 from __future__ import annotations
@@ -34,6 +34,7 @@ COMMANDS = {
     "diagnose": "find physics that recordings show and the model of the rig lacks",
     "differ": "find what changed between two recordings of one rig",
     "batch": "run filter, ordermap or info on every recording of a folder",
+    "cache": "show or clear the results that are kept between calls",
     "schema": "print the JSON Schema of a file, for editors and other programs",
     "completion": "print the script with which a shell completes commands, names and files",
     "reference-results": "compare the simulated rig with the results of the reference report",

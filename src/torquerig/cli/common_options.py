@@ -1,13 +1,17 @@
-"""Options that several commands share: catalogs, settings and profile."""
+"""Options that several commands share: catalogs, settings, profile and kept results."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import click
 
+from torquerig.cases.kept_folder import kept_folder, kept_limit
+from torquerig.cases.kept_results import KeptResults, opened_results
 from torquerig.document import Document, read_document
 from torquerig.errors import InputError, UnitError, did_you_mean
 from torquerig.recordings.run import PROFILES
@@ -32,6 +36,49 @@ profile_option = click.option(
     "--profile", default=None, metavar="WORD|FILE",
     help="steady, ramp, reversal or duty_cycle, or a table file with time_s, speed_rpm and optionally torque_Nm.",
 )  # fmt: skip
+
+FROM_CACHE = "torquerig.from_cache"
+"""Key of a command's context: how many of its drives were kept results, for the provenance."""
+
+
+def cache_options(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Add ``--cache FOLDER`` and ``--no-cache`` to the function of a command, as ``cache`` and ``no_cache``."""
+    folder = click.option(
+        "--cache", type=click.Path(path_type=Path), default=None, metavar="FOLDER",
+        help="Folder of kept results. Default: TORQUERIG_CACHE, else that of the platform; see torquerig cache.",
+    )  # fmt: skip
+    off = click.option("--no-cache", is_flag=True, help="Read and keep no results; compute everything.")
+    return folder(off(function))
+
+
+@contextmanager
+def kept_results(cache: Path | None, *, no_cache: bool) -> Iterator[KeptResults | None]:
+    """Yield the kept results of a command; at the end, notes about their folder are written to standard error.
+
+    Raises
+    ------
+    InputError
+        Where both options are given, or the limit of the environment is no size.
+    """
+    if no_cache and cache is not None:
+        raise InputError("--cache and --no-cache exclude each other; leave one of them out")
+    folder = None if no_cache else kept_folder(cache)
+    if folder is None:
+        yield None
+        return
+    with opened_results(folder, limit=kept_limit()) as kept:
+        try:
+            yield kept
+        finally:
+            for note in kept.notes:
+                click.echo(note, err=True)
+
+
+def note_from_cache(number: int) -> None:
+    """Note for the provenance of the running command how many results were kept ones."""
+    context = click.get_current_context(silent=True)
+    if context is not None:
+        context.meta[FROM_CACHE] = context.meta.get(FROM_CACHE, 0) + number
 
 
 def quantity_in(unit: str) -> Callable[[click.Context, click.Parameter, str | None], float | None]:

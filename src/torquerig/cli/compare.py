@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import click
 
+from torquerig.cases.kept_results import KeptResults
 from torquerig.catalog.search import catalog_for
-from torquerig.cli.common_options import catalog_option, set_option
+from torquerig.cli.common_options import cache_options, catalog_option, kept_results, note_from_cache, set_option
 from torquerig.cli.json_option import json_option
 from torquerig.cli.matrix import ENDINGS, check_target
 from torquerig.cli.progress import drive_progress
@@ -63,17 +66,20 @@ from torquerig.whole_file import refuse_unwritable
 @click.option("--force", is_flag=True, help="Overwrite the files of --matrix.")
 @click.option("--pdf", is_flag=True, help="Also print the page as index.pdf, with Chromium or WeasyPrint.")
 @click.option("--workers", type=click.IntRange(1), default=None, help="Number of parallel runs. Default: one per core.")
+@cache_options
 @set_option
 @catalog_option
 @json_option("compare", reads=("scenario",))
 def command(
     *, scenario: Path, out: Path | None, all_points: bool, workers: int | None, settings: tuple[str, ...],
     catalogs: tuple[Path, ...], traced: tuple[tuple[str, str], ...],
-    matrices: tuple[Path, ...], force: bool, pdf: bool,
+    matrices: tuple[Path, ...], force: bool, pdf: bool, cache: Path | None, no_cache: bool,
 ) -> CompareResult | ComparePointsResult:  # fmt: skip
     """Simulate every motor x gearbox x filter of SCENARIO, rank them, and write a report.
 
-    With --set both the original and the edited study run, and the report lists the differences.
+    With --set both the original and the edited study run, and the report lists the differences. Each drive is kept as
+    soon as it is measured: a run that was stopped goes on, and after a change only the drives that it concerns are
+    simulated; none after a change of weights, limits or points.
 
     Example: torquerig compare scenarios/wear_rig.yaml --set load.occupancy=11
     """
@@ -88,23 +94,25 @@ def command(
         check_target(path, force=force)
     if pdf:
         check_pdf_printer()
-    if all_points:
-        if traced or matrices or pdf:
-            raise InputError("--trace, --matrix and --pdf need one study; remove --all-points")
-        return _compare_points(study, folder, workers)
-    runs = _run(study, "edited study" if settings else "study", workers)
-    found: tuple[Change, ...] = ()
-    if settings:
-        original = _run(open_study(document, study.catalog), "original study", workers)
-        found = changes(original, runs)
-    decided, answer = _print_ranking(runs)
-    _print_changes(found, settings, unit=study.effort_unit)
-    for pair in traced:
-        click.echo("\n" + trace_text(traced_cell(decided, answer, *pair)))
-    for path in matrices:
-        write_matrix(analyse_matrix(as_matrix(decided, name=scenario.stem, seed=study.settings.seed)), path)
-        click.echo(f"wrote {path}", err=True)
-    written = write_study_report(runs, decided, answer, folder, changes=found or None, edits=settings)
+    if all_points and (traced or matrices or pdf):
+        raise InputError("--trace, --matrix and --pdf need one study; remove --all-points")
+    with kept_results(cache, no_cache=no_cache) as kept:
+        run = partial(_run, workers=workers, kept=kept)
+        if all_points:
+            return _compare_points(study, folder, run)
+        runs = run(study, "edited study" if settings else "study")
+        found: tuple[Change, ...] = ()
+        if settings:
+            original = run(open_study(document, study.catalog), "original study")
+            found = changes(original, runs)
+        decided, answer = _print_ranking(runs)
+        _print_changes(found, settings, unit=study.effort_unit)
+        for pair in traced:
+            click.echo("\n" + trace_text(traced_cell(decided, answer, *pair)))
+        for path in matrices:
+            write_matrix(analyse_matrix(as_matrix(decided, name=scenario.stem, seed=study.settings.seed)), path)
+            click.echo(f"wrote {path}", err=True)
+        written = write_study_report(runs, decided, answer, folder, changes=found or None, edits=settings)
     if pdf:
         written.append(written[0].with_suffix(".pdf"))
         write_pdf(written[0], written[-1])
@@ -115,9 +123,13 @@ def command(
     )
 
 
-def _run(study: Study, title: str, workers: int | None) -> StudyRuns:
+def _run(study: Study, title: str, *, workers: int | None, kept: KeptResults | None) -> StudyRuns:
     with drive_progress(title) as progress:
-        return run_study(study, progress=progress, workers=workers)
+        runs = run_study(study, progress=progress, workers=workers, kept=kept)
+    if kept is not None:
+        note_from_cache(runs.from_store)
+        click.echo(f"{title}: {runs.from_store} of {len(runs.drives)} drives from the cache {kept.folder}", err=True)
+    return runs
 
 
 def _print_ranking(runs: StudyRuns) -> tuple[Decided, Verdict]:
@@ -151,7 +163,7 @@ def _print_changes(found: tuple[Change, ...], settings: tuple[str, ...], *, unit
     click.echo(grid(rows))
 
 
-def _compare_points(study: Study, folder: Path, workers: int | None) -> ComparePointsResult:
+def _compare_points(study: Study, folder: Path, run: Callable[[Study, str], StudyRuns]) -> ComparePointsResult:
     points: tuple[Point, ...] = points_of(study)
     if not points:
         raise InputError(
@@ -161,7 +173,7 @@ def _compare_points(study: Study, folder: Path, workers: int | None) -> CompareP
     quick = replace(study, settings=study.settings.model_copy(update={"draws": 0}))
     made_points = []
     for number, point in enumerate(points, start=1):
-        runs = _run(point.applied(quick), f"point {number} of {len(points)}", workers)
+        runs = run(point.applied(quick), f"point {number} of {len(points)}")
         decided = decide(runs)
         answer = verdict(decided)
         written = write_study_report(runs, decided, answer, folder / point.name)

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from torquerig.cli.common_options import FROM_CACHE
 from torquerig.cli.output_paths import check_output_paths
 from torquerig.errors import TorquerigError
 from torquerig.reporting.json_results.values import Missing
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
     from torquerig.reporting.json_results.provenance import Provenance
 
 STANDARD_OUTPUT = "-"
-_OF_TIME_ALONE = ("workers", "cluster")
+_OF_TIME_ALONE = ("workers", "cluster", "cache", "no_cache")
 _WANTED: ContextVar[bool] = ContextVar("wants_json", default=False)
 
 
@@ -105,6 +106,8 @@ class JsonCall:
         stated = getattr(result, "seed", None)
         if isinstance(stated, int) and isinstance(origin.seed, Missing):
             origin = replace(origin, seed=stated)
+        if FROM_CACHE in self.context.meta:
+            origin = replace(origin, from_cache=self.context.meta[FROM_CACHE])
         name = getattr(result, "json_name", self.command)  # --all-points of compare has a result of another form
         return made, json_document(name, result, origin)
 

@@ -165,7 +165,8 @@ def _print_disturbance(
 
 def _print_all(study: Study, *, ambient: float) -> SizeResult:
     from torquerig.reporting.sizing.sizing_text import IN_TABLE, all_text
-    from torquerig.study.candidates import Candidate, candidates
+    from torquerig.study.candidate import Candidate
+    from torquerig.study.candidates import candidates
     from torquerig.study.sized_candidates import sized_candidate
 
     found: dict[Candidate, Sizing | str] = {}

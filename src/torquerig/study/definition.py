@@ -17,7 +17,8 @@ from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.load_response import load_response
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.sections import output_moves_in_a_line, with_current_names
-from torquerig.study.exchange import ExchangedParts, exchanged_parts, present_stage
+from torquerig.study.candidate import ExchangedParts
+from torquerig.study.exchange import exchanged_parts, present_stage
 from torquerig.study.settings import Settings, read_settings
 
 if TYPE_CHECKING:

@@ -3,26 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, get_args
 
 from torquerig.document import Document
 from torquerig.errors import InputError, did_you_mean
 from torquerig.rig.parts.gear_stage import GearStage
 from torquerig.scenario.kinds import KINDS
+from torquerig.study.candidate import ExchangedParts
 from torquerig.study.settings import Settings
 
 STAGE_KINDS = tuple(word for word, kind in KINDS.items() if issubclass(kind, get_args(GearStage)))
 """The kinds of parts between two speeds, as a scenario writes them."""
 _WORDS = {"motor": "motor", "stage": "gear, belt, worm or linear drive"}
-
-
-@dataclass(frozen=True, kw_only=True)
-class ExchangedParts:
-    """Names of the exchanged parts in the rig; ``stage`` is empty where the study exchanges the motor only."""
-
-    motor: str = "motor"
-    stage: str = "gearbox"
 
 
 def exchanged_parts(document: Document, settings: Settings) -> ExchangedParts:

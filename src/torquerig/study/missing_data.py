@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from torquerig.study.candidates import Candidate
+from torquerig.study.candidate import Candidate
 
 
 def missing_data_text(missing: str, candidate: Candidate) -> str:

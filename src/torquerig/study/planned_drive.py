@@ -15,7 +15,8 @@ from torquerig.scenario.kinematics import stages_to, torque_gain, turns_to
 from torquerig.scenario.mean_load import mean_load
 from torquerig.scenario.model import Scenario
 from torquerig.simulation.inputs import Span
-from torquerig.study.candidates import Candidate, reader_of, tuned_scenario
+from torquerig.study.candidate import Candidate
+from torquerig.study.candidates import reader_of, tuned_scenario
 from torquerig.study.definition import Study
 from torquerig.study.exchanged_data import is_new_stage, look_up_stage
 from torquerig.study.loop_margin import has_stable_loop

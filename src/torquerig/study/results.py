@@ -5,17 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import TYPE_CHECKING
 
-from torquerig.filters.filter_effect import FilterEffect
 from torquerig.metrics.figure import Figure
-from torquerig.metrics.load_path import LoadPath
-from torquerig.metrics.shares import Shares
-from torquerig.recordings.recording import Recording
-from torquerig.scenario.catalog_values.filled import FromCatalog
-from torquerig.study.candidates import Candidate
-from torquerig.study.definition import Study
-from torquerig.study.loop_margin import LoopMargin
+from torquerig.study.candidate import Candidate
 from torquerig.version import __version__
+
+if TYPE_CHECKING:
+    from torquerig.cases.kept_results import KeptResults
+    from torquerig.filters.filter_effect import FilterEffect
+    from torquerig.metrics.load_path import LoadPath
+    from torquerig.metrics.shares import Shares
+    from torquerig.recordings.recording import Recording
+    from torquerig.scenario.catalog_values.filled import FromCatalog
+    from torquerig.study.definition import Study
+    from torquerig.study.loop_margin import LoopMargin
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -99,6 +103,24 @@ class DriveResult:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Point:
+    """The operating point of all drives.
+
+    Parameters
+    ----------
+    mean_load : float
+        Mean torque at the wear part, load and drag [N m].
+    occupancy_percent, particle_size, output_speed : float
+        [%], [m], [rad/s], in a line [m/s].
+    """
+
+    mean_load: float
+    occupancy_percent: float
+    particle_size: float
+    output_speed: float
+
+
+@dataclass(frozen=True, kw_only=True)
 class StudyRuns:
     """All simulated drives and their figures.
 
@@ -108,6 +130,12 @@ class StudyRuns:
         Mean torque at the wear part, load and drag [N m].
     occupancy_percent, particle_size, output_speed : float
         The operating point [%], [m], [rad/s], in a line [m/s].
+    from_store : int
+        How many drives were read from kept results; the figures do not depend on it.
+    kept : KeptResults or None
+        Where results that are made of these, such as pictures, are kept too.
+    row_keys : mapping of str to str
+        Digest of all that the figures of a drive depend on, by its name; empty where nothing is kept.
     """
 
     study: Study
@@ -117,3 +145,6 @@ class StudyRuns:
     particle_size: float
     output_speed: float
     version: str = __version__
+    from_store: int = field(default=0, repr=False, compare=False)
+    kept: KeptResults | None = field(default=None, repr=False, compare=False)
+    row_keys: Mapping[str, str] = field(default_factory=dict, repr=False, compare=False)

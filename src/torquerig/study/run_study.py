@@ -1,119 +1,112 @@
-"""Every motor x gearbox x filter of a study: the runs of all drives in batches, on all cores."""
+"""Every motor x gearbox x filter of a study: what is kept is read, the other drives are simulated."""
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor, as_completed
+from collections.abc import Callable
+from typing import TYPE_CHECKING
 
-from torquerig.rig.reading_place import reading_place
-from torquerig.rig.turns import turns_per_motor_turn
-from torquerig.scenario.mean_load import mean_load
-from torquerig.scenario.model import Scenario
-from torquerig.simulation.inputs import Draws
-from torquerig.simulation.reused_memory import ReusedMemory
-from torquerig.simulation.united_runs import simulate_united, united
-from torquerig.study.candidates import Candidate, candidates, scenario_of
+from torquerig.study.candidate import Candidate
 from torquerig.study.definition import Study
-from torquerig.study.planned_drive import planned_drive
-from torquerig.study.preflight import check_study
-from torquerig.study.results import DriveResult, StudyRuns
-from torquerig.study.sample_runs import DriveSamples, SampleRun
+from torquerig.study.kept_study import KeptStudy
+from torquerig.study.results import DriveResult, Point, StudyRuns
+
+if TYPE_CHECKING:
+    from torquerig.cases.kept_results import KeptResults
+    from torquerig.scenario.model import Scenario
 
 Progress = Callable[[int, int, str], None]
-AT_ONCE = 10  # drives whose runs are in memory together; more fill the vector registers no better
 
 
-def run_study(study: Study, *, progress: Progress | None = None, workers: int | None = None) -> StudyRuns:
-    """Simulate and measure every candidate of a study.
+def run_study(
+    study: Study, *, progress: Progress | None = None, workers: int | None = None, kept: KeptResults | None = None
+) -> StudyRuns:
+    """Simulate and measure every candidate of a study, or read what is kept of an earlier run.
 
     ``progress(done, total, name)`` is called after each drive. The result does not depend on the number of workers:
     every random number is determined by its seed and name. The compiled kernel and the transforms run outside the
-    interpreter's lock, so threads are enough.
+    interpreter's lock, so threads are enough. It does not depend on what is kept either: a drive is kept under all that
+    determines its figures, and as soon as it is measured, so that a run that is interrupted goes on where it was.
+
+    Parameters
+    ----------
+    kept : KeptResults, optional
+        Where results of drives are read and kept; nothing is kept when not given.
 
     Raises
     ------
     InputError
         For anything in the scenario, the filters or the catalog that cannot be used, before a run is started.
     """
-    listed = candidates(study)
-    scenarios = [scenario_of(one, study, seed=study.settings.seed) for one in listed]
-    check_study(study, dict(zip(listed, scenarios, strict=True)))
-    results: dict[int, DriveResult] = {}
-    for row, result in simulated_drives(dict(zip(listed, scenarios, strict=True)), study, workers=workers):
-        results[row] = result
-        if progress is not None:
-            progress(len(results), len(listed), result.candidate.name)
-    rig, point = scenarios[0].rig, scenarios[0].operating_point
-    run = rig.run
+    store = None if kept is None else KeptStudy(kept, study)
+    listed = _candidates(study, store)
+    point = None if store is None else store.point(listed)
+    found = {} if store is None else store.rows(listed)
+    results, from_store = dict(found), len(found)
+    if progress is not None and found:
+        progress(len(found), len(listed), "")
+    if point is None or len(found) < len(listed):
+        point = _completed(study, listed, results, store, progress=progress, workers=workers)
+    keys = {} if store is None else {one.name: store.row_key(one) for one in listed}
     return StudyRuns(
-        study=study,
-        drives=tuple(results[row] for row in range(len(listed))),
-        mean_load=mean_load(scenarios[0].rig),
-        occupancy_percent=point.load.occupancy,
-        particle_size=point.load.particle_size,
-        output_speed=(run.speed or 0.0) * turns_per_motor_turn(rig, reading_place(rig)),
-    )
-
-
-def simulated_drives(
-    scenarios: Mapping[Candidate, Scenario], study: Study, *, workers: int | None = None
-) -> Iterator[tuple[int, DriveResult]]:
-    """Yield the row and the results of each candidate, given with its scenario, as they are ready.
-
-    The runs of all drives that are alike but for their lines go through the compiled batch together, whichever drive
-    and sample they belong to; what is not needed any more is given up at once.
-    """
-    from threadpoolctl import threadpool_limits
-
-    # linear algebra in several threads under several workers spins for minutes on two cores
-    with threadpool_limits(limits=1, user_api="blas"), ThreadPoolExecutor(workers or os.cpu_count() or 1) as pool:
-        try:
-            draws, memory, listed = Draws(), ReusedMemory(), list(scenarios)
-            by_stage = sorted(range(len(listed)), key=lambda row: listed[row].gearbox)  # of one speed and step
-            waiting: dict[Future[list[int]], dict[int, DriveSamples]] = {}
-            for first in range(0, len(listed), AT_ONCE):
-                rows = by_stage[first : first + AT_ONCE]
-                planned = (_planned(row, listed[row], scenarios[listed[row]], study) for row in rows)
-                drives = {drive.row: drive for drive in planned}
-                yield from ((row, drive.result()) for row, drive in drives.items() if not drive.planned.samples)
-                runs = [run for drive in drives.values() for run in drive.runs()]
-                queued = {pool.submit(_simulated, part, drives, draws, memory): drives for part in _parts(runs)}
-                # the workers have the runs of these drives while those of the drives before are waited for
-                yield from _completed(waiting)
-                waiting = queued
-            yield from _completed(waiting)
-        except BaseException:
-            pool.shutdown(cancel_futures=True)
-            raise
-
-
-def _completed(jobs: Mapping[Future[list[int]], dict[int, DriveSamples]]) -> Iterator[tuple[int, DriveResult]]:
-    """Yield the row and the results of each drive as its last run is measured."""
-    for job in as_completed(jobs):
-        yield from ((row, jobs[job][row].result()) for row in job.result())
+        study=study, drives=tuple(results[one] for one in listed), from_store=from_store, kept=kept, row_keys=keys,
+        **vars(point),
+    )  # fmt: skip
 
 
 def run_drive(candidate: Candidate, study: Study) -> DriveResult:
     """Return the results of one candidate alone: margins, shares of the reading, and every filter."""
+    from torquerig.study.candidates import scenario_of
+    from torquerig.study.simulated_drives import simulated_drives
+
     scenario = scenario_of(candidate, study, seed=study.settings.seed)
     return next(iter(simulated_drives({candidate: scenario}, study)))[1]
 
 
-def _parts(runs: Sequence[SampleRun]) -> list[list[SampleRun]]:
-    """Return runs that go through the batch together; those of true values first, for they wait in less memory."""
-    parts = [[runs[row] for row in part] for part in united([run.run for run in runs])]
-    return sorted(parts, key=lambda part: part[0].run.staged)
+def _candidates(study: Study, store: KeptStudy | None) -> tuple[Candidate, ...]:
+    found = None if store is None else store.candidates()
+    if found is None:
+        from torquerig.study.candidates import candidates
+
+        found = candidates(study)
+        if store is not None:
+            store.keep_candidates(found)
+    return found
 
 
-def _planned(row: int, candidate: Candidate, scenario: Scenario, study: Study) -> DriveSamples:
-    return DriveSamples(row, planned_drive(candidate, scenario, study), study)
+def _completed(
+    study: Study, listed: tuple[Candidate, ...], results: dict[Candidate, DriveResult], store: KeptStudy | None, *,
+    progress: Progress | None, workers: int | None,
+) -> Point:  # fmt: skip
+    """Check the study, add the results that are missing, and return the operating point."""
+    from torquerig.study.candidates import scenario_of
+    from torquerig.study.preflight import check_study
+    from torquerig.study.simulated_drives import simulated_drives
+
+    scenarios = {one: scenario_of(one, study, seed=study.settings.seed) for one in listed}
+    check_study(study, scenarios)
+    missing = {one: made for one, made in scenarios.items() if one not in results}
+    names = list(missing)
+    for row, result in simulated_drives(missing, study, workers=workers):
+        results[names[row]] = result
+        if store is not None:
+            store.keep(result)
+        if progress is not None:
+            progress(len(results), len(listed), result.candidate.name)
+    point = _point(scenarios[listed[0]])
+    if store is not None:
+        store.keep_point(listed, point)
+    return point
 
 
-def _simulated(
-    part: Sequence[SampleRun], drives: dict[int, DriveSamples], draws: Draws, memory: ReusedMemory
-) -> list[int]:
-    """Simulate and measure some runs; return the rows of the drives that are complete."""
-    title = drives[part[0].drive].planned.samples[0].title
-    made = simulate_united([run.run for run in part], scenario=title, draws=draws, memory=memory.array)
-    return [run.drive for run, recording in zip(part, made, strict=True) if drives[run.drive].add(run, recording)]
+def _point(scenario: Scenario) -> Point:
+    from torquerig.rig.reading_place import reading_place
+    from torquerig.rig.turns import turns_per_motor_turn
+    from torquerig.scenario.mean_load import mean_load
+
+    rig, load = scenario.rig, scenario.operating_point.load
+    return Point(
+        mean_load=mean_load(rig),
+        occupancy_percent=load.occupancy,
+        particle_size=load.particle_size,
+        output_speed=(rig.run.speed or 0.0) * turns_per_motor_turn(rig, reading_place(rig)),
+    )

@@ -20,8 +20,8 @@ from torquerig.metrics.truth_error import TRUE_LOADS, difference, truth_error
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
+from torquerig.scenario.model import Scenario
 from torquerig.simulation.batch_parts import BatchRun
-from torquerig.simulation.inputs import Span
 from torquerig.simulation.united_runs import simulate_united
 from torquerig.study.definition import Study
 from torquerig.study.planned_drive import PlannedDrive, sample_span
@@ -113,7 +113,7 @@ class DriveSamples:
             self.planned.result, shares=self._shares, load_path=load_path(first.rig), loop=margin_of(first, study),
             chains=chains,
             duration=study.settings.duration,
-            simulated=partial(_simulated_again, first.rig, sample_span(first, study), first.title),
+            simulated=partial(first_recording, first, study),
             disturbance=_figure([sample.disturbance for sample in samples], assumed, unit=unit),
         )  # fmt: skip
 
@@ -155,8 +155,9 @@ class _Remainder(TypedDict, total=False):
     residual_disturbance: Figure
 
 
-def _simulated_again(rig: Rig, span: Span, title: str) -> Recording:
-    return simulate_united([BatchRun.of(rig, span)], scenario=title)[0]
+def first_recording(scenario: Scenario, study: Study) -> Recording:
+    """Return the recording of a drive's first sample, simulated again."""
+    return simulate_united([BatchRun.of(scenario.rig, sample_span(scenario, study))], scenario=scenario.title)[0]
 
 
 def _held(recording: Recording, run: SampleRun) -> Recording:

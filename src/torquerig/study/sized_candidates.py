@@ -10,7 +10,8 @@ from torquerig.document import Document
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.sizing.drive_sizing import SIZING_UNITS, sizing
 from torquerig.metrics.sizing.sized_drive import SizedDrive, sized_drive
-from torquerig.study.candidates import Candidate, scenario_of
+from torquerig.study.candidate import Candidate
+from torquerig.study.candidates import scenario_of
 from torquerig.study.definition import Study
 
 

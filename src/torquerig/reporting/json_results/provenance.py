@@ -13,10 +13,12 @@ from typing import Any
 from torquerig.reporting.json_results.values import Missing
 from torquerig.version import __version__
 
+NOTHING_KEPT = Missing("no results of drives were read from the cache or kept there")
+
 
 @dataclass(frozen=True)
 class Provenance:
-    """What the result depends on: the same values give the same bytes.
+    """What the result depends on: the same values give the same result, whatever was read from the cache.
 
     Parameters
     ----------
@@ -31,6 +33,9 @@ class Provenance:
         Seed of the random numbers; None where the command draws none.
     options : mapping
         Options and arguments that the command line states, without inputs and ``--json``; of paths the name.
+    from_cache : int or None
+        How many results of drives were kept ones of an earlier call; None where the command kept none. The result does
+        not depend on it.
     """
 
     torquerig: str
@@ -38,6 +43,7 @@ class Provenance:
     inputs_sha256: Mapping[str, str]
     seed: int | Missing
     options: Mapping[str, Any]
+    from_cache: int | Missing = NOTHING_KEPT
 
 
 def provenance_of(

@@ -8,6 +8,7 @@ from importlib import import_module
 _WRITTEN = "simulate:WrittenResult"
 RESULTS: Mapping[str, str] = {
     "batch": "batch:BatchResult",
+    "cache": "cache:CacheResult",
     "catalog-check": "catalog:CatalogCheckResult",
     "catalog-export": _WRITTEN,
     "catalog-import": _WRITTEN,

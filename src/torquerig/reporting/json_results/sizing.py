@@ -12,7 +12,7 @@ from torquerig.metrics.sizing.drive_sizing import SIZING_UNITS, Sizing
 from torquerig.reporting.json_results.figures import figure_result
 from torquerig.reporting.json_results.values import Interval, Missing, known
 from torquerig.reporting.sizing.sizing_text import verdict_text
-from torquerig.study.candidates import Candidate
+from torquerig.study.candidate import Candidate
 from torquerig.thermal.duty_temperatures import DutyTemperatures, Span
 from torquerig.thermal.duty_text import verdict_sentence
 from torquerig.thermal.motor_variants import ThermalVariants

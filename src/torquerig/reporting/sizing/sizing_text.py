@@ -9,7 +9,7 @@ from torquerig.metrics.figure import Figure
 from torquerig.metrics.sizing.drive_sizing import EXCEEDS, GROUPS, HOLDS, UNKNOWN, UNSURE, Sizing
 from torquerig.plain_table import cut, grid, wrapped
 from torquerig.reporting.layout import figure_text
-from torquerig.study.candidates import Candidate
+from torquerig.study.candidate import Candidate
 
 LABELS: Mapping[str, str] = {
     "rms_torque": "rms torque", "peak_torque": "largest torque", "peak_power": "largest power",

@@ -13,7 +13,8 @@ from torquerig.errors import InputError
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import ScenarioReader
 from torquerig.simulation.inputs import Draws
-from torquerig.study.candidates import Candidate, candidates, reader_of, scenario_of, tuned_scenario
+from torquerig.study.candidate import Candidate
+from torquerig.study.candidates import candidates, reader_of, scenario_of, tuned_scenario
 from torquerig.study.definition import Study
 from torquerig.study.monte_carlo.replayed_files import replayed_files
 from torquerig.study.preflight import check_study, out_of_reach

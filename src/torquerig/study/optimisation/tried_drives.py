@@ -6,7 +6,8 @@ from dataclasses import dataclass, field, replace
 
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import ScenarioReader
-from torquerig.study.candidates import Candidate, candidate_of, scenario_of, tuned_scenario
+from torquerig.study.candidate import Candidate
+from torquerig.study.candidates import candidate_of, scenario_of, tuned_scenario
 from torquerig.study.definition import Study
 from torquerig.study.optimisation.scaled_gearbox import RatioBounds, scaled_document
 from torquerig.study.planned_drive import planned_drive

@@ -1,0 +1,169 @@
+"""Results of a study in the folder of kept results, each under all that it depends on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
+from pathlib import Path
+from pickle import UnpicklingError
+from typing import TYPE_CHECKING, Any
+
+from torquerig.cases.content import content_digest
+from torquerig.cases.kept_results import KeptResults
+from torquerig.cases.kept_values import bytes_of, value_of
+from torquerig.study.candidate import Candidate
+from torquerig.study.definition import Study
+from torquerig.study.results import DriveResult, Point
+from torquerig.study.settings import metrics_of
+
+if TYPE_CHECKING:
+    from torquerig.recordings.recording import Recording
+
+CLASSES = frozenset({
+    "torquerig.filters.filter_effect:FilterEffect", "torquerig.filters.filter_effect:LineLevel",
+    "torquerig.metrics.figure:Figure", "torquerig.metrics.load_path:LoadPath", "torquerig.metrics.shares:Shares",
+    "torquerig.orders.kinematics.kinematic_lines:KinematicLine", "torquerig.parameter:Estimate",
+    "torquerig.scenario.catalog_values.filled:FromCatalog", "torquerig.study.candidate:Candidate",
+    "torquerig.study.candidate:ExchangedParts", "torquerig.study.loop_margin:LoopMargin",
+    "torquerig.study.results:ChainResult", "torquerig.study.results:DriveResult", "torquerig.study.results:Point",
+})  # fmt: skip
+"""What a result of a drive is made of."""
+RATED_AFTERWARDS = ("requirements", "criteria", "all_points")
+"""Parts of a study that are applied to the figures; which metrics they use is part of a key, no limit or weight is."""
+LISTED = ("motors", "gearboxes")
+"""Lists of a study that say which drives there are; the drive itself is part of a key."""
+LONGEST_NAME = 1000  # characters of a text that may name a file
+
+
+@dataclass(frozen=True)
+class KeptStudy:
+    """The kept results of one study.
+
+    Parameters
+    ----------
+    results : KeptResults
+    study : Study
+    """
+
+    results: KeptResults
+    study: Study
+
+    def candidates(self) -> tuple[Candidate, ...] | None:
+        """Return the drives of the study; None where they are not kept."""
+        found: tuple[Candidate, ...] | None = self.read(self._candidates_key, CLASSES)
+        return found
+
+    def keep_candidates(self, listed: Sequence[Candidate]) -> None:
+        """Keep the drives of the study."""
+        self.results.put(self._candidates_key, bytes_of(tuple(listed)))
+
+    def rows(self, listed: Sequence[Candidate]) -> dict[Candidate, DriveResult]:
+        """Return the kept results by drive, without those that are not kept."""
+        found = ((one, self._row(one)) for one in listed)
+        return {one: row for one, row in found if row is not None}
+
+    def keep(self, result: DriveResult) -> None:
+        """Keep the result of a drive."""
+        plain = replace(result, simulated=None)
+        self.results.put(self.row_key(result.candidate), bytes_of(plain))
+
+    def point(self, listed: Sequence[Candidate]) -> Point | None:
+        """Return the operating point of the study; None where it is not kept."""
+        found: Point | None = self.read(self._point_key(listed), CLASSES)
+        return found
+
+    def keep_point(self, listed: Sequence[Candidate], point: Point) -> None:
+        """Keep the operating point of the study."""
+        self.results.put(self._point_key(listed), bytes_of(point))
+
+    def row_key(self, candidate: Candidate) -> str:
+        """Return the key of a drive's result: a digest of all that its figures depend on."""
+        catalog, stage = self.study.catalog, candidate.gearbox
+        entries = [repr(catalog.motor(candidate.motor)), repr(catalog.gearboxes.get(stage))]
+        return self.results.key("drive", self._shared, candidate, entries)
+
+    def read(self, key: str, classes: frozenset[str]) -> Any:
+        """Return a kept value that is made of these classes; None where there is none."""
+        content = self.results.get(key)
+        try:
+            return None if content is None else value_of(content, classes)
+        except (UnpicklingError, AttributeError, EOFError, ImportError, IndexError, TypeError):
+            return None  # its digest is right, so that another program has written it: it is computed and written again
+
+    def _row(self, candidate: Candidate) -> DriveResult | None:
+        found: DriveResult | None = self.read(self.row_key(candidate), CLASSES)
+        if found is None or not found.duration:
+            return found
+        return replace(found, simulated=partial(_first_recording, candidate, self.study))
+
+    def _point_key(self, listed: Sequence[Candidate]) -> str:
+        return self.results.key("point", self.row_key(listed[0]))
+
+    @cached_property
+    def _candidates_key(self) -> str:
+        lists = (self.study.motors, self.study.gearboxes, self.study.settings.present)
+        catalog = [repr(one) for one in (*self.study.catalog.motors.values(), *self.study.catalog.gearboxes.values())]
+        return self.results.key("candidates", self._shared, repr(lists), catalog)
+
+    @cached_property
+    def _shared(self) -> str:
+        """Digest of what all drives depend on."""
+        study, catalog = self.study, self.study.catalog
+        data = dict(study.document.data)
+        data["study"] = {
+            key: value for key, value in data["study"].items() if key not in (*RATED_AFTERWARDS, *LISTED)
+        }  # fmt: skip
+        exchanged = study.exchanged.motor
+        named = set(_texts({**data, "rig": {name: one for name, one in data["rig"].items() if name != exchanged}}))
+        shelves = (catalog.gearboxes, catalog.sensors, catalog.couplings)
+        entries = {name: repr(one) for shelf in shelves for name, one in shelf.items() if name in named}
+        parts = {
+            str(name): repr(catalog.motors.get(str(one.get("catalog"))))
+            for name, one in data["rig"].items()
+            if isinstance(one, dict) and name != exchanged
+        }
+        files = _files(named | set(_texts(study.filters.data)), study.document.path.parent)
+        stated = (data, sorted(metrics_of(study.settings)), study.filters.data)
+        return content_digest(stated, str(study.document.path.stem), entries, parts, files)
+
+
+def _first_recording(candidate: Candidate, study: Study) -> Recording:
+    """Return the recording of the first sample, simulated again."""
+    from torquerig.study.candidates import scenario_of
+    from torquerig.study.sample_runs import first_recording
+
+    return first_recording(scenario_of(candidate, study, seed=study.settings.seed), study)
+
+
+def _texts(value: Any) -> Iterator[str]:
+    """Yield every text in the data of a file."""
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, Mapping):
+        for one in value.values():
+            yield from _texts(one)
+    elif isinstance(value, list | tuple):
+        for one in value:
+            yield from _texts(one)
+
+
+def _files(texts: set[str], folder: Path) -> dict[str, str]:
+    """Return the digest of each file that a text names, from a folder or from here, and of its sidecar."""
+    found = {}
+    for text in sorted(one for one in texts if 0 < len(one) < LONGEST_NAME and "\0" not in one):
+        for path in (folder / text, Path(text)):
+            if not _is_file(path):
+                continue
+            for file in (path, path.with_name(f"{path.name}.yaml"), path.with_suffix(".yaml")):
+                if _is_file(file):
+                    found[f"{text}: {file.name}"] = content_digest(file.read_bytes())
+    return found
+
+
+def _is_file(path: Path) -> bool:
+    """Return whether a path is a file with an end: no pipe, no device, and no text that cannot be a path."""
+    try:
+        return path.is_file()
+    except (OSError, ValueError):
+        return False
