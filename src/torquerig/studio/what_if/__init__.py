@@ -1,0 +1,12 @@
+"""What a changed rig would record: the numbers of ``simulate``, ``filter`` and ``size``, for a page that shows them.
+
+========================= =============================================================================
+``question``              a scenario's text with changes: motor, gearbox, numbers, filter chain
+``engine``                the answers, with what was computed for the last questions kept
+``answer``                what is shown: errors, lines with causes, sizing, plots
+``plots``                 torque over time and spectrum as Bokeh plots whose curves come later
+``quick_curve``           samples of a curve as text that a page unpacks in some milliseconds
+``changeable``            which numbers of a scenario a page offers to change
+``taken_over``            the changes as edits of the scenario file
+========================= =============================================================================
+"""
