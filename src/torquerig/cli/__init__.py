@@ -1,7 +1,7 @@
 """The command line: one command per file, each imported only when it is called.
 
 init  catalog  orders  ordermap  modes  simulate  duty  size  synth  info  sheet  join  filter  matrix  diagnose  differ
-batch  cache  schema  completion  reference-results  reference-decision  study  optimise  compare
+batch  cache  schema  completion  reference-results  reference-decision  study  optimise  studio  compare
 """
 
 from __future__ import annotations
@@ -41,6 +41,7 @@ COMMANDS = {
     "reference-decision": "compute the motor decision of the reference report again, cell by cell",
     "study": "repeat a study for many draws of what data sheets leave open",
     "optimise": "find the best gearbox, speed loop and filter for one motor",
+    "studio": "open a local page that answers what-if questions",
     "compare": "simulate and rank every motor x gearbox x filter of a study",
 }
 _RENAMED = {"seed-results": "reference-results", "seed-decision": "reference-decision"}

@@ -2,6 +2,7 @@
 
 ========================= =============================================================================
 ``question``              a scenario's text with changes: motor, gearbox, numbers, filter chain
+``asked``                 the engine of the process that computes
 ``engine``                the answers, with what was computed for the last questions kept
 ``answer``                what is shown: errors, lines with causes, sizing, plots
 ``plots``                 torque over time and spectrum as Bokeh plots whose curves come later

@@ -11,8 +11,8 @@ from torquerig.catalog.reading import Catalog
 from torquerig.document import parse_document, read_document
 from torquerig.errors import InputError
 from torquerig.filters.chains.chain_file import chain_texts
-from torquerig.study.definition import open_study
 from torquerig.studio.what_if.engine import chain_file
+from torquerig.study.definition import open_study
 
 SPEEDS = ("output_speed", "motor_speed")
 
@@ -82,13 +82,13 @@ def _operating_point(data: Mapping[str, Any]) -> tuple[ChangeableNumber, ...]:
     point = data.get("operating_point")
     if not isinstance(point, dict):
         return ()
+    stated: dict[tuple[str, ...], Any] = {("operating_point", name): point[name] for name in SPEEDS if name in point}
     load = point.get("load")
-    keys = [("operating_point", name) for name in SPEEDS if name in point]
-    keys += [("operating_point", "load", str(name)) for name in load] if isinstance(load, dict) else []
-    values = [point[one[1]] if len(one) == 2 else load[one[2]] for one in keys]
+    if isinstance(load, dict):
+        stated |= {("operating_point", "load", str(name)): value for name, value in load.items()}
     return tuple(
-        ChangeableNumber(keys=one, label=one[-1].replace("_", " "), written=_text(value))
-        for one, value in zip(keys, values, strict=True)
+        ChangeableNumber(keys=keys, label=keys[-1].replace("_", " "), written=_text(value))
+        for keys, value in stated.items()
         if not isinstance(value, dict | list)
     )
 

@@ -42,7 +42,7 @@ HARMONICS = 4  # of each cause, as in the report of `torquerig filter`
 
 @dataclass
 class WhatIf:
-    """Answers questions; what a later question needs again is kept: the catalog, the last recordings, the last sizings."""
+    """Answers questions; keeps what a later one needs again: the catalog, the last recordings and sizings."""
 
     _kept: OrderedDict[Hashable, Any] = field(default_factory=OrderedDict, repr=False)
 
@@ -76,7 +76,7 @@ class WhatIf:
         )  # fmt: skip
 
     def sized(self, question: Question) -> Sized:
-        """Return whether the changed drive is large enough, as ``torquerig size`` does; InputError where it cannot be."""
+        """Return whether the changed drive is large enough, as ``torquerig size`` does; InputError for bad input."""
         stamp, catalog = self._catalog(question)
         return self._once(("sizing", *_drive_key(question), stamp), lambda: _sized(question, catalog))
 
@@ -144,6 +144,13 @@ def chain_file(path: Path, data: Any) -> Path:
     filters = study.get("filters") if isinstance(study, dict) else None
     stated = filters.get("file") if isinstance(filters, dict) else None
     return path.parent / stated if isinstance(stated, str) else shipped_scenarios() / "filters.yaml"
+
+
+def stated_chain(data: Any) -> str:
+    """Return the name of the present filter chain of a scenario's study; ``none`` without a study."""
+    study = data.get("study") if isinstance(data, dict) else None
+    present = study.get("present") if isinstance(study, dict) else None
+    return str(present.get("filter", "none")) if isinstance(present, dict) else "none"
 
 
 def _chain(question: Question, made: Scenario) -> Chain:

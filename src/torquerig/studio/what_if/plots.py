@@ -27,6 +27,7 @@ FIRST_VIEW = 0.3  # [s] some turns of the shaft; the whole recording is one clic
 LEAST = 1e-9  # smallest amplitude that is drawn, below any converter step
 DECADES = 5  # of the axis below the largest peak
 BEYOND = 1.3  # [1] end of the first view of the spectrum, over the highest line
+IN_VIEW = 2  # harmonics of each cause in the first view
 HIGHEST = 2000.0  # [Hz] end of the first view where no line is known
 
 
@@ -53,7 +54,8 @@ def spectrum_view(before: Recording, after: Recording, levels: Sequence[LineLeve
     step, end = float(frequency[1] - frequency[0]), float(frequency[-1])
     top = 10.0 ** ceil(log10(max(LEAST, *(float(one[1:].max()) for _, one in spectra.values()))))
     low = 10.0 ** (floor(log10(top)) - DECADES)
-    highest = BEYOND * max((one.frequency for one in levels), default=HIGHEST / BEYOND)
+    shown = [one.frequency for one in levels if one.line.harmonic <= IN_VIEW]
+    highest = BEYOND * max(shown, default=HIGHEST / BEYOND)
     return {
         "item": _spectrum_plot(f"amplitude [{effort_unit(before)}]"),
         "curves": {

@@ -1,0 +1,55 @@
+"""A second process that computes: it starts while the page does, and the page answers while it works."""
+
+from __future__ import annotations
+
+import asyncio
+import signal
+from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from multiprocessing import get_context
+from typing import ParamSpec, TypeVar
+
+from torquerig.errors import InputError
+
+Given = ParamSpec("Given")
+Result = TypeVar("Result")
+
+
+class Compute:
+    """One process for work of some seconds at most, one piece after the other, for all tabs."""
+
+    def __init__(self) -> None:
+        self._pool = _new_pool()
+
+    def begin(self, function: Callable[Given, object], *args: Given.args, **named: Given.kwargs) -> None:
+        """Start a piece of work whose result nobody waits for, such as loading what is needed first."""
+        self._pool.submit(function, *args, **named)
+
+    async def run(self, function: Callable[Given, Result], *args: Given.args, **named: Given.kwargs) -> Result:
+        """Return what a function of a module returns; it and its arguments must be picklable.
+
+        Raises
+        ------
+        InputError
+            Where the process ended, such as for lack of memory; the next call has a new one.
+        """
+        try:
+            return await asyncio.wrap_future(self._pool.submit(function, *args, **named))
+        except BrokenProcessPool:
+            self._pool = _new_pool()
+            raise InputError("the computing process ended, perhaps for lack of memory; close other programs and "
+                             "change a value to compute again") from None  # fmt: skip
+
+    def close(self) -> None:
+        """End the process."""
+        self._pool.shutdown(wait=False, cancel_futures=True)
+
+
+def _new_pool() -> ProcessPoolExecutor:
+    return ProcessPoolExecutor(max_workers=1, mp_context=get_context("spawn"), initializer=_begin)
+
+
+def _begin() -> None:
+    """Leave Ctrl-C to the server, which ends this process."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
