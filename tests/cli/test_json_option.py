@@ -42,7 +42,7 @@ def nulls(value: Any, at: str = "") -> list[str]:
     return [at] if value is None else []
 
 
-WITHOUT_JSON = {("schema",), ("completion",)}  # they print a file for other programs
+WITHOUT_JSON = {("schema",), ("completion",), ("studio",)}  # a file for other programs, a page
 
 
 def test_every_command_has_json_and_a_call_in_these_tests() -> None:
