@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from torquerig.decide.kesselring import TEACHING, Profile
-from torquerig.decide.matrix import DecisionMatrix
-from torquerig.decide.matrix_io.matrix_table import Alias
 from torquerig.decide.monte_carlo import Uncertainty
+
+if TYPE_CHECKING:
+    from torquerig.decide.matrix import DecisionMatrix
+    from torquerig.decide.matrix_io.matrix_table import Alias
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from math import isfinite, nan
+from typing import TYPE_CHECKING
 
 from torquerig.errors import InputError
-from torquerig.parameter import Estimate
 from torquerig.units import in_unit
+
+if TYPE_CHECKING:
+    from torquerig.parameter import Estimate
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -9,11 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from torquerig.decide.matrix import DecisionMatrix
 from torquerig.decide.pugh import BaselineSweep, PughResult, Sign, pugh
+
+if TYPE_CHECKING:
+    from torquerig.decide.matrix import DecisionMatrix
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -10,9 +10,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import TYPE_CHECKING
 
 from torquerig.decide.criterion import YES_NO, Criterion
-from torquerig.decide.matrix import Cell, DecisionMatrix
+
+if TYPE_CHECKING:
+    from torquerig.decide.matrix import Cell, DecisionMatrix
 
 
 class Mark(StrEnum):

@@ -5,12 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import pairwise
 from math import inf
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from torquerig.decide.kesselring import KesselringResult
 from torquerig.decide.ranks import TIE
 from torquerig.errors import InputError, UnknownNameError, did_you_mean
+
+if TYPE_CHECKING:
+    from torquerig.decide.kesselring import KesselringResult
 
 
 @dataclass(frozen=True, kw_only=True)

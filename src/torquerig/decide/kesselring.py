@@ -10,13 +10,16 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.decide.matrix import Cell, Criterion, DecisionMatrix
 from torquerig.decide.ranks import competition_ranks, rank_intervals
 from torquerig.errors import InputError
+
+if TYPE_CHECKING:
+    from torquerig.decide.matrix import Cell, Criterion, DecisionMatrix
 
 Array = NDArray[np.float64]
 

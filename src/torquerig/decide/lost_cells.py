@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import product
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from torquerig.decide.kesselring import Profile
+if TYPE_CHECKING:
+    from torquerig.decide.kesselring import Profile
 
 # printed sums are rounded to two decimals
 ROUNDING = 0.005 + 1e-9

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from torquerig.decide.case import MatrixCase
 from torquerig.decide.convergence import Convergence, converge, cycles
 from torquerig.decide.criterion import Kind
 from torquerig.decide.eliminate import Decision, SelectionChart, eliminate
 from torquerig.decide.flips import CommonFlip, FlipScore, FlipWeight, common_flip, flip_scores, nearest_flips
 from torquerig.decide.kesselring import KesselringResult, kesselring
 from torquerig.decide.lints.audit import audit
-from torquerig.decide.lints.finding import Finding
-from torquerig.decide.matrix import DecisionMatrix
 from torquerig.decide.matrix_io.computed_tables import computed_tables, survivors
 from torquerig.decide.near_miss import NearMiss, near_misses
 from torquerig.decide.pareto import Dominance, dominance
@@ -22,6 +20,11 @@ from torquerig.decide.robustness import RankAcceptability, robustness
 from torquerig.decide.strength import Strength, strength, strength_from_cost
 from torquerig.decide.value_of_information import MissingFact, missing_facts
 from torquerig.decide.verdict import MatrixVerdict, verdict_of
+
+if TYPE_CHECKING:
+    from torquerig.decide.case import MatrixCase
+    from torquerig.decide.lints.finding import Finding
+    from torquerig.decide.matrix import DecisionMatrix
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,15 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from hashlib import blake2b
 from math import exp, isfinite, log
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.decide.criterion import Criterion
 from torquerig.decide.kesselring import TEACHING, Profile, points_of_cell, rated_criteria
-from torquerig.decide.matrix import Cell, DecisionMatrix
 from torquerig.errors import InputError
+
+if TYPE_CHECKING:
+    from torquerig.decide.criterion import Criterion
+    from torquerig.decide.matrix import Cell, DecisionMatrix
 
 Array = NDArray[np.float64]
 WIDE = 5.0  # [1] high/low above which an interval is sampled log-uniformly, as the catalog does

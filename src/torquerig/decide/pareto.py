@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.decide.matrix import DecisionMatrix
+if TYPE_CHECKING:
+    from torquerig.decide.matrix import DecisionMatrix
 
 Flags = NDArray[np.bool_]
 

@@ -15,13 +15,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.decide.matrix import Criterion, DecisionMatrix
 from torquerig.decide.ranks import competition_ranks, rank_intervals
 from torquerig.errors import InputError, UnknownNameError, did_you_mean
+
+if TYPE_CHECKING:
+    from torquerig.decide.matrix import Criterion, DecisionMatrix
 
 Signs = NDArray[np.int8]
 

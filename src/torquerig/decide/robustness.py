@@ -6,15 +6,18 @@ from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.decide.kesselring import TEACHING, Profile
-from torquerig.decide.matrix import DecisionMatrix
 from torquerig.decide.monte_carlo import SamplingPlan, Uncertainty, sampling_plan, separate_uncertainties
 from torquerig.decide.ranks import TIE
 from torquerig.errors import InputError
+
+if TYPE_CHECKING:
+    from torquerig.decide.matrix import DecisionMatrix
 
 Array = NDArray[np.float64]
 CHUNK = 1 << 16  # samples of one thread at a time; fixed, so that sums do not depend on how many threads there are

@@ -9,13 +9,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import isfinite
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.decide.kesselring import KesselringResult
 from torquerig.decide.matrix import Cell
 from torquerig.errors import InputError
+
+if TYPE_CHECKING:
+    from torquerig.decide.kesselring import KesselringResult
 
 Array = NDArray[np.float64]
 VERY_GOOD, GOOD, UNSATISFACTORY = 0.8, 0.7, 0.6

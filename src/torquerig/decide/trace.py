@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from torquerig.decide.cell import Cell
 from torquerig.decide.criterion import YES_NO, Criterion
-from torquerig.decide.eliminate import Decision, SelectionChart
-from torquerig.decide.kesselring import KesselringResult
-from torquerig.decide.matrix_analysis import MatrixAnalysis
-from torquerig.decide.pugh import PughResult
 from torquerig.decide.ranks import shown_rank
-from torquerig.decide.verdict import Certainty
 from torquerig.errors import UnknownNameError, did_you_mean
+
+if TYPE_CHECKING:
+    from torquerig.decide.eliminate import Decision, SelectionChart
+    from torquerig.decide.kesselring import KesselringResult
+    from torquerig.decide.matrix_analysis import MatrixAnalysis
+    from torquerig.decide.pugh import PughResult
+    from torquerig.decide.verdict import Certainty
 
 Steps = list[tuple[str, str]]
 

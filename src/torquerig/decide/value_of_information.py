@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,9 +12,11 @@ from numpy.typing import NDArray
 from torquerig.decide.criterion import YES_NO, Criterion
 from torquerig.decide.eliminate import Decision, eliminate
 from torquerig.decide.kesselring import TEACHING, KesselringResult, Profile, kesselring
-from torquerig.decide.matrix import Cell, DecisionMatrix
 from torquerig.decide.monte_carlo import points_at, value_at
 from torquerig.decide.ranks import TIE
+
+if TYPE_CHECKING:
+    from torquerig.decide.matrix import Cell, DecisionMatrix
 
 STEPS = 1000  # values of an open fact over its interval; a share below 0.1 % of the interval is not resolved
 

@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from torquerig.decide.eliminate import Decision, SelectionChart
-from torquerig.decide.kesselring import KesselringResult
 from torquerig.decide.ranks import TIE
-from torquerig.decide.robustness import RankAcceptability
+
+if TYPE_CHECKING:
+    from torquerig.decide.kesselring import KesselringResult
+    from torquerig.decide.robustness import RankAcceptability
 
 ROBUST = 0.9  # [1] share of samples in which the winner must be best for the verdict "robust"
 DECIDED = 2 / 3  # [1] the same share over the open facts alone, below which the answer depends on them

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from torquerig.decide.case import MatrixCase
-from torquerig.decide.matrix_analysis import MatrixAnalysis
 from torquerig.decide.matrix_io.matrix_writing import case_data
+
+if TYPE_CHECKING:
+    from torquerig.decide.case import MatrixCase
+    from torquerig.decide.matrix_analysis import MatrixAnalysis
 
 
 @dataclass(frozen=True, kw_only=True)

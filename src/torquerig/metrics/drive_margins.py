@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from torquerig.catalog.entry import UNKNOWN
-from torquerig.catalog.motor import Motor
 from torquerig.metrics.figure import Figure, scaled, total, yes_no
-from torquerig.parameter import Estimate
+
+if TYPE_CHECKING:
+    from torquerig.catalog.motor import Motor
+    from torquerig.parameter import Estimate
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,7 +13,9 @@ from torquerig.filters.evaluation.delay import DECAYS, Delay, delay_behind
 from torquerig.filters.evaluation.hits import HitResponse, hit_response
 from torquerig.filters.evaluation.load_scale import WEAR_PART, LoadScale
 from torquerig.metrics.truth_error import true_load, truth_error
-from torquerig.recordings.recording import Recording
+
+if TYPE_CHECKING:
+    from torquerig.recordings.recording import Recording
 
 TRUE_SPEED = "true_output_speed_rad_s"
 TRUE_SPEEDS = (TRUE_SPEED, "true_output_velocity_m_s")

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from torquerig.metrics.sizing.load_fidelity import frequencies_of, reading_per_load, rigid_fidelity
-from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Load, Spring
+
+if TYPE_CHECKING:
+    from torquerig.rig.assembly import Rig
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from torquerig.filters.evaluation.delay import delay_behind
 from torquerig.metrics.truth_error import true_load
-from torquerig.recordings.recording import Recording
+
+if TYPE_CHECKING:
+    from torquerig.recordings.recording import Recording
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from math import pi
+from typing import TYPE_CHECKING
 
-from torquerig.catalog.gearbox import Gearbox
-from torquerig.catalog.motor import Motor
 from torquerig.metrics.figure import Figure, scaled, yes_no
 from torquerig.metrics.sizing.open_data import exact_value, over_intervals
-from torquerig.parameter import Estimate
+
+if TYPE_CHECKING:
+    from torquerig.catalog.gearbox import Gearbox
+    from torquerig.catalog.motor import Motor
+    from torquerig.parameter import Estimate
 
 FACT_UNITS: Mapping[str, str] = {
     "rated_speed": "rpm", "rated_torque": "N*m", "output_torque": "N*m", "unlimited_peak": "N*m",

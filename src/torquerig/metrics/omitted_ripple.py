@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from math import pi, sqrt
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from torquerig.catalog.entry import counts_of
-from torquerig.catalog.motor import Motor
 from torquerig.metrics.figure import Figure
-from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import SpeedController
 from torquerig.simulation.linear import spring_response
 from torquerig.simulation.lower import lower
+
+if TYPE_CHECKING:
+    from torquerig.catalog.motor import Motor
+    from torquerig.rig.assembly import Rig
 
 
 def omitted_six_pulse(rig: Rig, motor: Motor, *, motor_torque: float) -> Figure:

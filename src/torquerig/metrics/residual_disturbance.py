@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from torquerig.filters.chains.filter_chain import Chain
 from torquerig.metrics.shares import DISTURBANCES, sensed
-from torquerig.recordings.recording import Recording
-from torquerig.rig.assembly import Rig
 from torquerig.simulation.simulator import SAMPLE_RATE, simulate
+
+if TYPE_CHECKING:
+    from torquerig.filters.chains.filter_chain import Chain
+    from torquerig.recordings.recording import Recording
+    from torquerig.rig.assembly import Rig
 
 
 @dataclass(frozen=True)

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.metrics.truth_error import true_load
-from torquerig.recordings.recording import Recording
-from torquerig.rig.assembly import Rig
 from torquerig.simulation.simulator import SAMPLE_RATE, simulate
+
+if TYPE_CHECKING:
+    from torquerig.recordings.recording import Recording
+    from torquerig.rig.assembly import Rig
 
 SENSED = ("true_sensor_torque_Nm", "true_sensor_force_N")
 DISTURBANCES = ("cogging", "electrical", "mechanical")

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
 from torquerig.metrics.measured_load import measured_load
-from torquerig.recordings.recording import Recording
+
+if TYPE_CHECKING:
+    from torquerig.recordings.recording import Recording
 
 TRUE_LOAD = "true_load_Nm"
 TRUE_LOADS = (TRUE_LOAD, "true_load_N")

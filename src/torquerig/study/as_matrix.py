@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from torquerig.decide.case import MatrixCase
 from torquerig.study.rated_drives import feasible_combinations, with_requirements
-from torquerig.study.scoring import Decided
+
+if TYPE_CHECKING:
+    from torquerig.study.scoring import Decided
 
 
 def as_matrix(decided: Decided, *, name: str, seed: int) -> MatrixCase:

@@ -5,22 +5,25 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from math import pi
+from typing import TYPE_CHECKING
 
 from torquerig.errors import InputError, UnknownNameError
-from torquerig.rig.assembly import Rig
 from torquerig.rig.leading_part import leading_part
 from torquerig.rig.parts import LinearDrive, Motor, SpeedController
 from torquerig.rig.parts.gear_stage import GearStage
 from torquerig.rig.reading_place import reading_place
 from torquerig.rig.terms import Inertia
 from torquerig.scenario.kinematics import kinematics_of, torque_gain, turns_to
-from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import ScenarioReader
 from torquerig.study.candidate import Candidate
-from torquerig.study.definition import Study
 from torquerig.study.exchange import pinned_ratio
 from torquerig.study.exchanged_data import document_of, look_up_stage
-from torquerig.study.settings import SpeedLoopRule
+
+if TYPE_CHECKING:
+    from torquerig.rig.assembly import Rig
+    from torquerig.scenario.model import Scenario
+    from torquerig.study.definition import Study
+    from torquerig.study.settings import SpeedLoopRule
 
 
 def candidates(study: Study) -> tuple[Candidate, ...]:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 from torquerig.decide.criterion import Better, Criterion, Indifference, Kind, Requirement, ValueFunction
 from torquerig.decide.kesselring import TEACHING
 from torquerig.errors import InputError, TorquerigError
 from torquerig.metrics.sizing.drive_sizing import SIZING_UNITS
-from torquerig.study.definition import Study
 from torquerig.study.settings import CriterionRow, RequirementRow
+
+if TYPE_CHECKING:
+    from torquerig.study.definition import Study
 
 UNITS: Mapping[str, str] = {
     "truth_error": "N*m",

@@ -8,21 +8,21 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from torquerig.catalog.reading import Catalog
 from torquerig.document import Document, read_document
 from torquerig.errors import InputError, did_you_mean
 from torquerig.filters.chains.chain_file import chain_texts, made_chain, needs_response
-from torquerig.filters.chains.filter_chain import Chain
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.load_response import load_response
-from torquerig.scenario.model import Scenario
 from torquerig.scenario.sections import output_moves_in_a_line, with_current_names
-from torquerig.study.candidate import ExchangedParts
 from torquerig.study.exchange import exchanged_parts, present_stage
 from torquerig.study.settings import Settings, read_settings
 
 if TYPE_CHECKING:
+    from torquerig.catalog.reading import Catalog
     from torquerig.filters.chains.chain_file import Stages
+    from torquerig.filters.chains.filter_chain import Chain
+    from torquerig.scenario.model import Scenario
+    from torquerig.study.candidate import ExchangedParts
 
 
 @dataclass(frozen=True)

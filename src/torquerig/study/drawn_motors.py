@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
 
 from torquerig.decide.verdict import DECIDED
 from torquerig.study.rated_drives import rated_drives
-from torquerig.study.results import DriveResult
-from torquerig.study.scoring import Decided
+
+if TYPE_CHECKING:
+    from torquerig.study.results import DriveResult
+    from torquerig.study.scoring import Decided
 
 MOST_NAMED = 4  # motors in a sentence
 

@@ -5,17 +5,19 @@ from __future__ import annotations
 import copy
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from torquerig.catalog.entry import UNKNOWN
-from torquerig.document import Document
 from torquerig.errors import InputError, UnknownNameError, did_you_mean
 from torquerig.metrics.drive_margins import ExchangedStage
 from torquerig.orders.kinematics.teeth import Planetary
 from torquerig.parameter import Estimate
 from torquerig.rig.assembly import HOST_FIELDS
-from torquerig.study.definition import Study
 from torquerig.study.exchange import STAGE_KINDS
+
+if TYPE_CHECKING:
+    from torquerig.document import Document
+    from torquerig.study.definition import Study
 
 PLACE_KEYS = ("after",)
 """What a part keeps of the one that it replaces: its place on the shaft."""

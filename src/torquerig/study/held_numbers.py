@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from torquerig.scenario.reading import read_scenario
-from torquerig.study.definition import Study
+
+if TYPE_CHECKING:
+    from torquerig.study.definition import Study
 
 
 def held_sentence(study: Study) -> str:

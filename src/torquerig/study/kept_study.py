@@ -10,15 +10,15 @@ from pickle import UnpicklingError
 from typing import TYPE_CHECKING, Any
 
 from torquerig.cases.content import content_digest
-from torquerig.cases.kept_results import KeptResults
 from torquerig.cases.kept_values import bytes_of, value_of
-from torquerig.study.candidate import Candidate
-from torquerig.study.definition import Study
-from torquerig.study.results import DriveResult, Point
 from torquerig.study.settings import metrics_of
 
 if TYPE_CHECKING:
+    from torquerig.cases.kept_results import KeptResults
     from torquerig.recordings.recording import Recording
+    from torquerig.study.candidate import Candidate
+    from torquerig.study.definition import Study
+    from torquerig.study.results import DriveResult, Point
 
 CLASSES = frozenset({
     "torquerig.filters.filter_effect:FilterEffect", "torquerig.filters.filter_effect:LineLevel",

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from torquerig.metrics.random_error import length_for
-from torquerig.study.results import DriveResult
+
+if TYPE_CHECKING:
+    from torquerig.study.results import DriveResult
 
 WANTED = 0.01  # [1] standard error that the sentence names a record length for
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import inf, pi
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from torquerig.errors import TorquerigError
-from torquerig.rig.assembly import Rig
 from torquerig.rig.first_mode import first_elastic_mode
 from torquerig.simulation.lower import Lowered, lower
 from torquerig.simulation.twin.linear_twin import twin_of
@@ -16,6 +16,9 @@ from torquerig.simulation.twin.loop import sampled_loop
 from torquerig.simulation.twin.margins import grid, is_stable, loop_gain
 from torquerig.simulation.twin.operating_point import operating_point
 from torquerig.simulation.twin.plant import plant
+
+if TYPE_CHECKING:
+    from torquerig.rig.assembly import Rig
 
 UNSTABLE = "its speed loop is unstable"
 USUAL = 0.5  # [1] modulus margin that is usually required (Maciejowski, Multivariable Feedback Design, section 1.3)

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from torquerig.study.candidate import Candidate
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from torquerig.study.candidate import Candidate
 
 
 def missing_data_text(missing: str, candidate: Candidate) -> str:

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
-from torquerig.catalog.reading import Catalog
-from torquerig.document import Document
 from torquerig.errors import InputError, UnknownNameError
 from torquerig.rig.parts import SpeedController
-from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
 from torquerig.study.candidates import candidate_of, refuse_pinned, scenario_of
 from torquerig.study.definition import open_study
 from torquerig.study.exchanged_data import look_up_stage
+
+if TYPE_CHECKING:
+    from torquerig.catalog.reading import Catalog
+    from torquerig.document import Document
+    from torquerig.scenario.model import Scenario
 
 
 def scenario_or_candidate(

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import copy
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from torquerig.scenario.sections import read_operating_point
-from torquerig.study.definition import Study
+
+if TYPE_CHECKING:
+    from torquerig.study.definition import Study
 
 
 @dataclass(frozen=True, kw_only=True)

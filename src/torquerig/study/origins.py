@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 from torquerig.decide.cell import Origin
-from torquerig.metrics.figure import Figure
-from torquerig.parameter import Estimate
-from torquerig.scenario.catalog_values.filled import FromCatalog
-from torquerig.study.results import DriveResult
 from torquerig.study.settings import SIMULATED, Metric, Settings
 from torquerig.units import in_unit
+
+if TYPE_CHECKING:
+    from torquerig.metrics.figure import Figure
+    from torquerig.parameter import Estimate
+    from torquerig.scenario.catalog_values.filled import FromCatalog
+    from torquerig.study.results import DriveResult
 
 METRIC_TEXTS: Mapping[str, str] = {
     "truth_error": "rms of the filtered reading minus the true load",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from math import pi, prod
+from typing import TYPE_CHECKING
 
 from torquerig.metrics.drive_margins import Duty, drive_margins
 from torquerig.metrics.figure import Figure
@@ -13,17 +14,19 @@ from torquerig.rig.parts import Motor, SpeedController
 from torquerig.rig.reading_place import reading_place
 from torquerig.scenario.kinematics import stages_to, torque_gain, turns_to
 from torquerig.scenario.mean_load import mean_load
-from torquerig.scenario.model import Scenario
 from torquerig.simulation.inputs import Span
-from torquerig.study.candidate import Candidate
 from torquerig.study.candidates import reader_of, tuned_scenario
-from torquerig.study.definition import Study
 from torquerig.study.exchanged_data import is_new_stage, look_up_stage
 from torquerig.study.loop_margin import has_stable_loop
 from torquerig.study.preflight import out_of_reach
 from torquerig.study.results import DriveResult
 from torquerig.study.settings import SpeedLoopRule, metrics_of
 from torquerig.study.sized_candidates import sizing_figures
+
+if TYPE_CHECKING:
+    from torquerig.scenario.model import Scenario
+    from torquerig.study.candidate import Candidate
+    from torquerig.study.definition import Study
 
 TIME_CONSTANTS = 7.5  # [1] settling time over that of the slowest pole; 0.06 % of it remains
 

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 from torquerig.errors import InputError
 from torquerig.scenario.checks.requirement_check import requirement_faults
 from torquerig.scenario.drive_requirement import drive_requirement
-from torquerig.scenario.model import Scenario
-from torquerig.study.candidate import Candidate
 from torquerig.study.criteria import criteria_of, requirements_of
-from torquerig.study.definition import Study
 from torquerig.study.loop_margin import LoopMargin, loop_margin
+
+if TYPE_CHECKING:
+    from torquerig.scenario.model import Scenario
+    from torquerig.study.candidate import Candidate
+    from torquerig.study.definition import Study
 
 
 def check_study(study: Study, scenarios: Mapping[Candidate, Scenario]) -> None:

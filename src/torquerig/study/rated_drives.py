@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from torquerig.decide.eliminate import Decision, eliminate
 from torquerig.decide.kesselring import TEACHING, KesselringResult, kesselring
-from torquerig.decide.matrix import DecisionMatrix
 from torquerig.decide.robustness import RankAcceptability, robustness
 from torquerig.decide.value_of_information import MissingFact, missing_facts
 from torquerig.decide.verdict import MatrixVerdict, verdict_of
-from torquerig.study.scoring import Decided
+
+if TYPE_CHECKING:
+    from torquerig.decide.matrix import DecisionMatrix
+    from torquerig.study.scoring import Decided
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from torquerig.metrics.figure import Figure
 from torquerig.metrics.sizing.best_ratio import AlphaBeta, alpha_beta
 from torquerig.metrics.sizing.drive_sizing import EXCEEDS, Sizing, sizing
-from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.study.candidates import candidate_of
-from torquerig.study.definition import Study
 from torquerig.study.exchange import pinned_ratio
 from torquerig.study.sized_candidates import sized_candidate
+
+if TYPE_CHECKING:
+    from torquerig.metrics.figure import Figure
+    from torquerig.metrics.sizing.sized_drive import SizedDrive
+    from torquerig.study.definition import Study
 
 SHOWN = ("rms_torque", "rms_torque_use", "peak_torque_use", "speed_limit_use", "gearbox_life_use", "gearbox_peak_use",
          "sensor_overload", "inertia_ratio", "load_fidelity")  # fmt: skip

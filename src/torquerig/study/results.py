@@ -8,7 +8,6 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from torquerig.metrics.figure import Figure
-from torquerig.study.candidate import Candidate
 from torquerig.version import __version__
 
 if TYPE_CHECKING:
@@ -18,6 +17,7 @@ if TYPE_CHECKING:
     from torquerig.metrics.shares import Shares
     from torquerig.recordings.recording import Recording
     from torquerig.scenario.catalog_values.filled import FromCatalog
+    from torquerig.study.candidate import Candidate
     from torquerig.study.definition import Study
     from torquerig.study.loop_margin import LoopMargin
 

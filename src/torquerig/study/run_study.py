@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from torquerig.study.candidate import Candidate
-from torquerig.study.definition import Study
 from torquerig.study.kept_study import KeptStudy
 from torquerig.study.results import DriveResult, Point, StudyRuns
 
 if TYPE_CHECKING:
     from torquerig.cases.kept_results import KeptResults
     from torquerig.scenario.model import Scenario
+    from torquerig.study.candidate import Candidate
+    from torquerig.study.definition import Study
 
 Progress = Callable[[int, int, str], None]
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from threading import Lock
-from typing import TypedDict
+from typing import TYPE_CHECKING, TypedDict
 
 import numpy as np
 
@@ -17,17 +17,19 @@ from torquerig.metrics.load_path import load_path
 from torquerig.metrics.random_error import rms_standard_error
 from torquerig.metrics.shares import DISTURBANCES, SENSED, Shares, sensed, shares_of
 from torquerig.metrics.truth_error import TRUE_LOADS, difference, truth_error
-from torquerig.recordings.recording import Recording
-from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
-from torquerig.scenario.model import Scenario
 from torquerig.simulation.batch_parts import BatchRun
 from torquerig.simulation.united_runs import simulate_united
-from torquerig.study.definition import Study
 from torquerig.study.planned_drive import PlannedDrive, sample_span
 from torquerig.study.preflight import margin_of
 from torquerig.study.results import ChainResult, DriveResult
 from torquerig.study.settings import metrics_of
+
+if TYPE_CHECKING:
+    from torquerig.recordings.recording import Recording
+    from torquerig.rig.assembly import Rig
+    from torquerig.scenario.model import Scenario
+    from torquerig.study.definition import Study
 
 WHOLE, QUIET = (), DISTURBANCES
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from torquerig.decide.criterion import Kind
 from torquerig.decide.eliminate import Decision, SelectionChart, eliminate
@@ -15,8 +16,10 @@ from torquerig.metrics.figure import Figure
 from torquerig.study.criteria import criteria_of, requirements_of
 from torquerig.study.missing_data import missing_data_text
 from torquerig.study.origins import metric_text, origins_of
-from torquerig.study.results import DriveResult, StudyRuns
-from torquerig.study.settings import Metric, Settings
+
+if TYPE_CHECKING:
+    from torquerig.study.results import DriveResult, StudyRuns
+    from torquerig.study.settings import Metric, Settings
 
 
 @dataclass(frozen=True, kw_only=True)

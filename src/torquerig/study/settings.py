@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from torquerig.document import Document
+from typing import TYPE_CHECKING
+
 from torquerig.errors import InputError
 from torquerig.scenario.sections import read_study_section
 from torquerig.scenario.study_section import (
@@ -16,6 +17,9 @@ from torquerig.scenario.study_section import (
     Settings,
     SpeedLoopRule,
 )  # fmt: skip
+
+if TYPE_CHECKING:
+    from torquerig.document import Document
 
 __all__ = [
     "SIMULATED", "AllPoints", "Band", "CriterionRow", "Filters", "Metric", "Present", "RequirementRow", "Settings",

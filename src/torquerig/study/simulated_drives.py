@@ -5,16 +5,19 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
+from typing import TYPE_CHECKING
 
-from torquerig.scenario.model import Scenario
 from torquerig.simulation.inputs import Draws
 from torquerig.simulation.reused_memory import ReusedMemory
 from torquerig.simulation.united_runs import simulate_united, united
-from torquerig.study.candidate import Candidate
-from torquerig.study.definition import Study
 from torquerig.study.planned_drive import planned_drive
-from torquerig.study.results import DriveResult
 from torquerig.study.sample_runs import DriveSamples, SampleRun
+
+if TYPE_CHECKING:
+    from torquerig.scenario.model import Scenario
+    from torquerig.study.candidate import Candidate
+    from torquerig.study.definition import Study
+    from torquerig.study.results import DriveResult
 
 AT_ONCE = 10  # drives whose runs are in memory together; more fill the vector registers no better
 

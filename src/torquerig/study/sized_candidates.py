@@ -5,14 +5,17 @@ from __future__ import annotations
 import copy
 from collections.abc import Collection, Mapping
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
-from torquerig.document import Document
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.sizing.drive_sizing import SIZING_UNITS, sizing
 from torquerig.metrics.sizing.sized_drive import SizedDrive, sized_drive
-from torquerig.study.candidate import Candidate
 from torquerig.study.candidates import scenario_of
-from torquerig.study.definition import Study
+
+if TYPE_CHECKING:
+    from torquerig.document import Document
+    from torquerig.study.candidate import Candidate
+    from torquerig.study.definition import Study
 
 
 def with_cycle(document: Document) -> Document:

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
-from torquerig.decide.cell import Cell, Origin
-from torquerig.decide.criterion import Criterion
-from torquerig.decide.eliminate import ChartRow
 from torquerig.decide.trace import (
     CellTrace,
     Outcome,
@@ -20,9 +18,14 @@ from torquerig.decide.trace import (
 )
 from torquerig.errors import UnknownNameError, did_you_mean
 from torquerig.study.candidates import candidates
-from torquerig.study.definition import Study
-from torquerig.study.scoring import Decided
-from torquerig.study.verdict import Verdict
+
+if TYPE_CHECKING:
+    from torquerig.decide.cell import Cell, Origin
+    from torquerig.decide.criterion import Criterion
+    from torquerig.decide.eliminate import ChartRow
+    from torquerig.study.definition import Study
+    from torquerig.study.scoring import Decided
+    from torquerig.study.verdict import Verdict
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from torquerig.decide.eliminate import Decision
-from torquerig.decide.value_of_information import MissingFact
 from torquerig.decide.verdict import Certainty, MatrixVerdict, verdict_of
 from torquerig.study.answer.what_to_do import WhatToDo, what_to_do
 from torquerig.study.answer.what_would_change import what_would_change
 from torquerig.study.drawn_motors import best_new_motor_text, is_drawn, ranking_of_draws
 from torquerig.study.rated_drives import feasible_combinations, rated_drives
-from torquerig.study.results import DriveResult
-from torquerig.study.scoring import Decided
+
+if TYPE_CHECKING:
+    from torquerig.decide.value_of_information import MissingFact
+    from torquerig.study.results import DriveResult
+    from torquerig.study.scoring import Decided
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from torquerig.study.results import DriveResult, StudyRuns
+if TYPE_CHECKING:
+    from torquerig.study.results import DriveResult, StudyRuns
 
 
 @dataclass(frozen=True, kw_only=True)

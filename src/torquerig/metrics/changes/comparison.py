@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from torquerig.errors import InputError
-from torquerig.metrics.changes.change import Change
 from torquerig.metrics.changes.level_changes import band_changes, mean_change
 from torquerig.metrics.changes.line_changes import LOWEST, line_changes, merged
 from torquerig.metrics.changes.segments import finest_place
 from torquerig.metrics.changes.side import Side, side_of
 from torquerig.orders.analysis.labels import label_of
-from torquerig.orders.kinematics.kinematic_lines import Kinematics
-from torquerig.recordings.recording import Recording
+
+if TYPE_CHECKING:
+    from torquerig.metrics.changes.change import Change
+    from torquerig.orders.kinematics.kinematic_lines import Kinematics
+    from torquerig.recordings.recording import Recording
 
 TOP = 0.4
 """Share of the lower sample rate up to which is compared: above, converters and their filters differ."""

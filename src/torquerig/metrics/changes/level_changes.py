@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +16,9 @@ from torquerig.metrics.changes.intervals import (
     difference_of_roots,
     sure_difference_of_roots,
 )
-from torquerig.metrics.changes.segments import Segments
+
+if TYPE_CHECKING:
+    from torquerig.metrics.changes.segments import Segments
 
 Floats = NDArray[np.float64]
 _BESIDE = 3.0  # [bins] on each side of a line that belong to it (Hann window)

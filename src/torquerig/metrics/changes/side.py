@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,8 +14,10 @@ from torquerig.orders.analysis.angle_resampling import output_turns, over_angle
 from torquerig.orders.analysis.frequency_lines import frequency_lines
 from torquerig.orders.analysis.line_detection import detected_lines
 from torquerig.orders.angle.best_angle import best_motor_angle
-from torquerig.orders.kinematics.kinematic_lines import Kinematics
-from torquerig.recordings.recording import Recording
+
+if TYPE_CHECKING:
+    from torquerig.orders.kinematics.kinematic_lines import Kinematics
+    from torquerig.recordings.recording import Recording
 
 Floats = NDArray[np.float64]
 SHORTEST = 2.0  # [s] a quarter of a second per segment: 4 Hz are its first bin

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from math import isnan
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from torquerig.decide.case import MatrixCase
-from torquerig.decide.cell import Cell
-from torquerig.decide.criterion import Criterion
 from torquerig.decide.kesselring import TEACHING, Profile
-from torquerig.decide.matrix import DecisionMatrix
 from torquerig.decide.strength import IDEAL_SHARE
+
+if TYPE_CHECKING:
+    from torquerig.decide.case import MatrixCase
+    from torquerig.decide.cell import Cell
+    from torquerig.decide.criterion import Criterion
+    from torquerig.decide.matrix import DecisionMatrix
 
 
 def study_model(

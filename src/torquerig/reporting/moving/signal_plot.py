@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from torquerig.metrics.truth_error import true_load
-from torquerig.recordings.recording import Recording
 from torquerig.reporting.figures.effort import effort_name, effort_unit
 from torquerig.reporting.moving.packed_curve import converter_step, packed_curve
 from torquerig.reporting.moving.plot_json import AFTER, BEFORE, LOAD, NOTHING_YET, curve_switch, new_plot, plot_json
+
+if TYPE_CHECKING:
+    from torquerig.recordings.recording import Recording
 
 FIRST_VIEW = 0.3  # [s] some turns of the shaft; the whole recording is one click on reset away
 SHARE_OF_CODE = 0.25  # [1] of a converter step: resolution of curves computed from its codes, below their noise

@@ -4,20 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import ceil, floor, log10
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.orders.kinematics.kinematic_lines import KinematicLine
-from torquerig.orders.kinematics.line_families import Family
 from torquerig.orders.kinematics.order_report_text import name_of
-from torquerig.recordings.recording import Recording
 from torquerig.recordings.spectrum import hann_spectrum
 from torquerig.reporting.figures.effort import effort_unit
 from torquerig.reporting.figures.families import COLOURS, NAMES
 from torquerig.reporting.moving.packed_curve import packed_curve
 from torquerig.reporting.moving.plot_json import AFTER, BEFORE, NOTHING_YET, curve_switch, new_plot, plot_json
+
+if TYPE_CHECKING:
+    from torquerig.orders.kinematics.kinematic_lines import KinematicLine
+    from torquerig.orders.kinematics.line_families import Family
+    from torquerig.recordings.recording import Recording
 
 CURVES = {"before": ("before the filter", BEFORE), "after": ("after the filter", AFTER)}
 LEAST = 1e-9  # smallest amplitude that is drawn, below any converter step

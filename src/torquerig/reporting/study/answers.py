@@ -6,8 +6,8 @@ import shlex
 from collections.abc import Sequence
 from math import pi
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from torquerig.metrics.figure import Figure
 from torquerig.parameter import EVIDENCE
 from torquerig.reporting.layout import listed, plain
 from torquerig.reporting.study.chapters import rule_text
@@ -17,9 +17,12 @@ from torquerig.study.candidates import left_out_gearboxes
 from torquerig.study.exchanged_data import left_out_effects
 from torquerig.study.held_numbers import held_sentence
 from torquerig.study.load_randomness import load_randomness
-from torquerig.study.results import StudyRuns
-from torquerig.study.scoring import Decided
-from torquerig.study.settings import SpeedLoopRule
+
+if TYPE_CHECKING:
+    from torquerig.metrics.figure import Figure
+    from torquerig.study.results import StudyRuns
+    from torquerig.study.scoring import Decided
+    from torquerig.study.settings import SpeedLoopRule
 
 Facts = tuple[tuple[str, str], ...]
 

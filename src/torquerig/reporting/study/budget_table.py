@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from torquerig.decide.verdict import Certainty
 from torquerig.reporting.layout import Cell, Table, number, words
-from torquerig.study.answer.uncertainty_budget import UncertaintyBudget
-from torquerig.study.answer.uncertainty_item import Item
-from torquerig.study.load_randomness import LoadRandomness
-from torquerig.study.verdict import Verdict
+
+if TYPE_CHECKING:
+    from torquerig.study.answer.uncertainty_budget import UncertaintyBudget
+    from torquerig.study.answer.uncertainty_item import Item
+    from torquerig.study.load_randomness import LoadRandomness
+    from torquerig.study.verdict import Verdict
 
 TONES = {Certainty.ROBUST: "good", Certainty.FRAGILE: "poor", Certainty.TIE: "good", Certainty.NOBODY: "poor"}
 """CSS class of the answer: blue, orange, and violet for an open one."""

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
-from torquerig.decide.eliminate import SelectionChart
-from torquerig.decide.matrix import Criterion, DecisionMatrix
 from torquerig.decide.pugh import Sign
 from torquerig.decide.ranks import shown_rank
 from torquerig.reporting.figures.shades import GOOD_IS_HIGH, mark_style, shade
 from torquerig.reporting.layout import Cell, Table, number, span, words
 from torquerig.reporting.study.tables import rank_texts
 from torquerig.reporting.study.trace_tables import trace_anchor
-from torquerig.study.scoring import Decided
+
+if TYPE_CHECKING:
+    from torquerig.decide.eliminate import SelectionChart
+    from torquerig.decide.matrix import Criterion, DecisionMatrix
+    from torquerig.study.scoring import Decided
 
 
 def rule_text(criterion: Criterion) -> str:

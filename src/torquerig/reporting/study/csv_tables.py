@@ -7,16 +7,17 @@ from collections.abc import Sequence
 from io import StringIO
 from typing import TYPE_CHECKING
 
-from torquerig.filters.filter_effect import FilterEffect
 from torquerig.harmless import csv_cell
 from torquerig.metrics.figure import Figure
 from torquerig.reporting.figures.shares_figure import SHARES
 from torquerig.reporting.study.tables import decision_words
-from torquerig.study.results import DriveResult, StudyRuns
-from torquerig.study.scoring import Decided
 
 if TYPE_CHECKING:
     import pandas as pd
+
+    from torquerig.filters.filter_effect import FilterEffect
+    from torquerig.study.results import DriveResult, StudyRuns
+    from torquerig.study.scoring import Decided
 
 Fields = list[tuple[str, str]]
 

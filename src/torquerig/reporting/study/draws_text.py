@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,8 +11,10 @@ from numpy.typing import NDArray
 from torquerig.plain_table import grid, wrapped
 from torquerig.study.monte_carlo.distribution import distribution, share_uncertainty
 from torquerig.study.monte_carlo.drawn_study import DrawnStudy, error_column
-from torquerig.study.monte_carlo.lost_draws import LostDraws
-from torquerig.study.monte_carlo.ranking import Ranking
+
+if TYPE_CHECKING:
+    from torquerig.study.monte_carlo.lost_draws import LostDraws
+    from torquerig.study.monte_carlo.ranking import Ranking
 
 Floats = NDArray[np.float64]
 FEWEST = 10  # draws; fewer have no 95 % interval of their median

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from torquerig.plain_table import grid
-from torquerig.study.optimisation.tried import Tried
+
+if TYPE_CHECKING:
+    from torquerig.study.optimisation.tried import Tried
 
 
 def optimum_text(best: Sequence[Tried], by_rule: Sequence[Tried], *, unit: str) -> str:

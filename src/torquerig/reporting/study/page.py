@@ -5,9 +5,8 @@ from __future__ import annotations
 from base64 import b64encode
 from collections.abc import Mapping, Sequence
 from itertools import groupby
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from torquerig.reporting.figures.picture import Picture
 from torquerig.reporting.html import html
 from torquerig.reporting.moving.matrix_model import study_model
 from torquerig.reporting.moving.page_scripts import data_script, page_scripts
@@ -16,11 +15,14 @@ from torquerig.reporting.study.budget_table import TONES, budget_table, sure_sen
 from torquerig.reporting.study.trace_tables import drive_tables, functions_table
 from torquerig.study.answer.uncertainty_budget import uncertainty_budget
 from torquerig.study.load_randomness import load_randomness
-from torquerig.study.results import DriveResult, StudyRuns
 from torquerig.study.scoring import Decided, combinations, criteria_matrix
 from torquerig.study.trace import traced_drives
-from torquerig.study.verdict import Verdict
-from torquerig.study.what_if import Change
+
+if TYPE_CHECKING:
+    from torquerig.reporting.figures.picture import Picture
+    from torquerig.study.results import DriveResult, StudyRuns
+    from torquerig.study.verdict import Verdict
+    from torquerig.study.what_if import Change
 
 MOST_SAMPLES = 500_000  # of the second recording of the page; longer ones have a fixed picture
 RANKED = 15  # combinations in the first table; combinations.csv has all

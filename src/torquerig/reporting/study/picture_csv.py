@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from torquerig.filters.filter_effect import FilterEffect
+from typing import TYPE_CHECKING
+
 from torquerig.orders.kinematics.order_report_text import name_of
 from torquerig.reporting.study.csv_tables import csv_text
-from torquerig.study.results import StudyRuns
-from torquerig.study.scoring import Decided
+
+if TYPE_CHECKING:
+    from torquerig.filters.filter_effect import FilterEffect
+    from torquerig.study.results import StudyRuns
+    from torquerig.study.scoring import Decided
 
 
 def errors_csv(runs: StudyRuns) -> str:

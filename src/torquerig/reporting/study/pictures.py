@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from torquerig.filters.chains.filter_chain import Chain, report_filter_code_chain
 from torquerig.filters.filter_effect import FilterEffect, chain_effect
 from torquerig.orders.angle.tacho import recorded_motor_angle
-from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.orders.kinematics.order_report_text import name_of
-from torquerig.recordings.recording import Recording
 from torquerig.reporting.figures.error_figure import error_figure
 from torquerig.reporting.figures.notch_figure import notch_figure
 from torquerig.reporting.figures.picture import Picture, picture, plot_name
@@ -26,8 +25,12 @@ from torquerig.reporting.study.picture_csv import errors_csv, levels_csv, rating
 from torquerig.reporting.study.tables import best_per_drive, effort_text
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.study.candidates import scenario_of
-from torquerig.study.results import DriveResult, StudyRuns
-from torquerig.study.scoring import Decided
+
+if TYPE_CHECKING:
+    from torquerig.orders.kinematics.kinematic_lines import Kinematics
+    from torquerig.recordings.recording import Recording
+    from torquerig.study.results import DriveResult, StudyRuns
+    from torquerig.study.scoring import Decided
 
 HARMONICS = 2  # of each family, marked in the spectra: more would hide the curves
 FRONT = 8  # combinations named in the S-diagram

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from torquerig.reporting.replaced_folder import replaced_folder
 from torquerig.reporting.study.csv_tables import combinations_csv, shares_csv
 from torquerig.reporting.study.page import study_page
 from torquerig.reporting.workbook.study_workbook import write_workbook
-from torquerig.study.results import StudyRuns
-from torquerig.study.scoring import Decided
-from torquerig.study.verdict import Verdict
-from torquerig.study.what_if import Change
+
+if TYPE_CHECKING:
+    from torquerig.study.results import StudyRuns
+    from torquerig.study.scoring import Decided
+    from torquerig.study.verdict import Verdict
+    from torquerig.study.what_if import Change
 
 PAGE, COMBINATIONS, SHARES, MATRICES = "index.html", "combinations.csv", "shares.csv", "matrices.xlsx"
 

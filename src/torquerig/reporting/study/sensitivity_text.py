@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from torquerig.plain_table import grid
-from torquerig.study.monte_carlo.design import Design
-from torquerig.study.monte_carlo.sensitivity import Sensitivity
+
+if TYPE_CHECKING:
+    from torquerig.study.monte_carlo.design import Design
+    from torquerig.study.monte_carlo.sensitivity import Sensitivity
 
 SHOWN = 15  # rows of a table
 RARE = 0.01  # [1] share of the base points below which a value is not called decisive

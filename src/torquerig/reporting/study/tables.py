@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import log
+from typing import TYPE_CHECKING
 
 from torquerig.decide.ranks import shown_rank
 from torquerig.reporting.figures.shades import GOOD_IS_HIGH, GOOD_IS_LOW, shade
 from torquerig.reporting.figures.shares_figure import SHARES
 from torquerig.reporting.layout import Cell, Table, figure_cell, listed, number, plain, span, words
-from torquerig.study.results import DriveResult, StudyRuns
-from torquerig.study.scoring import Alternative, Decided
-from torquerig.study.what_if import Change
+
+if TYPE_CHECKING:
+    from torquerig.study.results import DriveResult, StudyRuns
+    from torquerig.study.scoring import Alternative, Decided
+    from torquerig.study.what_if import Change
 
 Ranks = dict[str, str]
 

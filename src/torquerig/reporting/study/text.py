@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from torquerig.plain_table import cut, grid, wrapped
 from torquerig.reporting.figures.shares_figure import SHARES
@@ -10,8 +11,10 @@ from torquerig.reporting.layout import figure_text, plain
 from torquerig.reporting.study.answers import narrow_loops
 from torquerig.reporting.study.tables import decision_words, effort_text
 from torquerig.study.load_randomness import load_randomness
-from torquerig.study.results import StudyRuns
-from torquerig.study.scoring import Decided
+
+if TYPE_CHECKING:
+    from torquerig.study.results import StudyRuns
+    from torquerig.study.scoring import Decided
 
 WIDTH = 110
 

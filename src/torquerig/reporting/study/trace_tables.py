@@ -5,11 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from torquerig.decide.trace import CellTrace
 from torquerig.reporting.layout import Cell, Table, words
-from torquerig.study.scoring import Decided
-from torquerig.study.trace import TracedDrive
+
+if TYPE_CHECKING:
+    from torquerig.decide.trace import CellTrace
+    from torquerig.study.scoring import Decided
+    from torquerig.study.trace import TracedDrive
 
 FEW = 4  # catalog values that are named in the cell itself
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from torquerig.decide.lints.finding import Finding
-from torquerig.decide.matrix_analysis import MatrixAnalysis
+if TYPE_CHECKING:
+    from torquerig.decide.lints.finding import Finding
+    from torquerig.decide.matrix_analysis import MatrixAnalysis
 
 Looks = dict[str, Any]
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from torquerig.decide.case import MatrixCase
-from torquerig.decide.cell import Cell
 from torquerig.decide.criterion import YES_NO, Criterion
 from torquerig.decide.matrix_io import excel_layout as layout
+
+if TYPE_CHECKING:
+    from torquerig.decide.case import MatrixCase
+    from torquerig.decide.cell import Cell
 
 Looks = dict[str, Any]
 Entry = str | float | int | None

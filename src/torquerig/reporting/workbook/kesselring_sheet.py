@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from torquerig.decide.kesselring import KesselringResult
 from torquerig.decide.ranks import TIE
+
+if TYPE_CHECKING:
+    from torquerig.decide.kesselring import KesselringResult
 
 Looks = dict[str, Any]
 HEAD, WEIGHTS, NORMALISED, IDEAL, FIRST = 1, 2, 3, 4, 5

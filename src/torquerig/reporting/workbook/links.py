@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 from torquerig.decide.criterion import YES_NO, Criterion
-from torquerig.decide.matrix_analysis import MatrixAnalysis
 from torquerig.decide.matrix_io import excel_layout as layout
 from torquerig.reporting.workbook.entry_sheets import criterion_heads, fact_heads, source_rows
 from torquerig.reporting.workbook.kesselring_sheet import Links
+
+if TYPE_CHECKING:
+    from torquerig.decide.matrix_analysis import MatrixAnalysis
 
 HINT = (
     "Change weights and value functions on the sheet Criteria, facts on the sheet Facts; points, totals and ranks "

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from io import BytesIO
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from torquerig.decide.matrix_analysis import MatrixAnalysis
 from torquerig.decide.matrix_io.excel_layout import CRITERIA, FACTS, SETTINGS, SOURCES
 from torquerig.reporting.workbook import entry_sheets as entries
 from torquerig.reporting.workbook.answer_sheets import write_answers, write_ask, write_findings
@@ -14,6 +13,9 @@ from torquerig.reporting.workbook.kesselring_sheet import write_kesselring
 from torquerig.reporting.workbook.links import links_of
 from torquerig.reporting.workbook.sheets import write_elimination, write_pugh
 from torquerig.reporting.workbook.study_workbook import CREATED, formats
+
+if TYPE_CHECKING:
+    from torquerig.decide.matrix_analysis import MatrixAnalysis
 
 
 def write_matrix_workbook(path: Path, worked: MatrixAnalysis) -> None:

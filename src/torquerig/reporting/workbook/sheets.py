@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from torquerig.decide.eliminate import SelectionChart
-from torquerig.decide.matrix import DecisionMatrix
 from torquerig.decide.pugh import PughResult, Sign
 from torquerig.metrics.figure import Figure
 from torquerig.reporting.figures.shares_figure import SHARES
 from torquerig.reporting.study.answers import assumptions
 from torquerig.reporting.study.chapters import rule_text
 from torquerig.reporting.study.tables import decision_words
-from torquerig.study.results import StudyRuns
-from torquerig.study.scoring import Decided
+
+if TYPE_CHECKING:
+    from torquerig.decide.eliminate import SelectionChart
+    from torquerig.decide.matrix import DecisionMatrix
+    from torquerig.study.results import StudyRuns
+    from torquerig.study.scoring import Decided
 
 Looks = dict[str, Any]
 

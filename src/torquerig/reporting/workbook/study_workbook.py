@@ -5,15 +5,17 @@ from __future__ import annotations
 from datetime import datetime
 from io import BytesIO
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from torquerig.reporting.workbook import sheets
 from torquerig.reporting.workbook.kesselring_sheet import write_kesselring
 from torquerig.reporting.workbook.trace_sheets import write_catalog_values, write_trace
-from torquerig.study.results import StudyRuns
-from torquerig.study.scoring import Decided
 from torquerig.study.trace import traced_combinations
-from torquerig.study.verdict import Verdict
+
+if TYPE_CHECKING:
+    from torquerig.study.results import StudyRuns
+    from torquerig.study.scoring import Decided
+    from torquerig.study.verdict import Verdict
 
 CREATED = datetime(2000, 1, 1)  # a fixed date, so that equal studies give equal files
 

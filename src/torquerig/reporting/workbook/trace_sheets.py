@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from torquerig.decide.trace import CellTrace
 from torquerig.reporting.workbook.sheets import write_head
-from torquerig.study.trace import TracedDrive
+
+if TYPE_CHECKING:
+    from torquerig.decide.trace import CellTrace
+    from torquerig.study.trace import TracedDrive
 
 Looks = dict[str, Any]
 STEPS = (

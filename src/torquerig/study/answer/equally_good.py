@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from torquerig.decide.value_of_information import MissingFact
 from torquerig.decide.verdict import DECIDED
 from torquerig.study.drawn_motors import share_by_motor
 from torquerig.study.rated_drives import rated_drives
-from torquerig.study.scoring import Decided
+
+if TYPE_CHECKING:
+    from torquerig.decide.value_of_information import MissingFact
+    from torquerig.study.scoring import Decided
 
 RARE = 0.05  # [1] share of the samples below which a motor is not named as one of the best
 

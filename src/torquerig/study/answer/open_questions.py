@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from torquerig.study.rated_drives import feasible_combinations
-from torquerig.study.scoring import Decided
+
+if TYPE_CHECKING:
+    from torquerig.study.scoring import Decided
 
 
 @dataclass(frozen=True, kw_only=True)

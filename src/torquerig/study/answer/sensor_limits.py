@@ -8,14 +8,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import sqrt
+from typing import TYPE_CHECKING
 
-from torquerig.catalog.sensor import Sensor
-from torquerig.parameter import Estimate
 from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
-from torquerig.scenario.model import Scenario
 from torquerig.study.answer.uncertainty_item import Item
 from torquerig.study.candidates import scenario_of
-from torquerig.study.results import DriveResult, StudyRuns
+
+if TYPE_CHECKING:
+    from torquerig.catalog.sensor import Sensor
+    from torquerig.parameter import Estimate
+    from torquerig.scenario.model import Scenario
+    from torquerig.study.results import DriveResult, StudyRuns
 
 RECTANGULAR, ARCSINE = sqrt(3), sqrt(2)  # [1] half-width over standard deviation
 IN_FIRST = "simulated, and contained in the item filter"

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import sqrt
+from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.special import ndtr
@@ -15,7 +16,9 @@ from scipy.special import ndtr
 from torquerig.metrics.random_error import BLOCKS
 from torquerig.study.answer.sensor_limits import sensor_items
 from torquerig.study.answer.uncertainty_item import Item
-from torquerig.study.results import ChainResult, DriveResult, StudyRuns
+
+if TYPE_CHECKING:
+    from torquerig.study.results import ChainResult, DriveResult, StudyRuns
 
 COVERAGE = 2.0  # [1] k: about 95 % of a normal distribution (GUM 6.3.3)
 

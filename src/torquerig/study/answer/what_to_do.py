@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from torquerig.decide.verdict import DECIDED, Certainty, MatrixVerdict
-from torquerig.metrics.figure import Figure
 from torquerig.study.answer.equally_good import BestMotors, best_motors
 from torquerig.study.answer.open_questions import OpenQuestion, open_questions
 from torquerig.study.rated_drives import feasible_combinations
-from torquerig.study.results import DriveResult
-from torquerig.study.scoring import Alternative, Decided
+
+if TYPE_CHECKING:
+    from torquerig.metrics.figure import Figure
+    from torquerig.study.results import DriveResult
+    from torquerig.study.scoring import Alternative, Decided
 
 NAMED = 3  # motors that a sentence names; more become "and N others"
 NOBODY = (

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from torquerig.decide.flips import FlipWeight, nearest_flips
-from torquerig.study.rated_drives import RatedDrives
+
+if TYPE_CHECKING:
+    from torquerig.study.rated_drives import RatedDrives
 
 MOST_WEIGHTS = 3  # weights that are named; the page's sliders show all
 
