@@ -16,7 +16,7 @@ from torquerig.recordings.recording import Recording
 from torquerig.recordings.spectrum import hann_spectrum
 from torquerig.reporting.figures.effort import effort_name, effort_unit
 from torquerig.reporting.figures.families import COLOURS
-from torquerig.reporting.moving.plot_json import AFTER, BEFORE, LOAD, NOTHING_YET, finish_legend, new_plot, plot_json
+from torquerig.reporting.moving.plot_json import AFTER, BEFORE, LOAD, NOTHING_YET, new_plot, plot_json
 from torquerig.studio.what_if.quick_curve import quick_curve
 
 CURVES = {
@@ -107,4 +107,7 @@ def _add_curves(plot: Any, names: Sequence[str], *, tooltips: list[tuple[str, st
         HoverTool(renderers=drawn, mode="vline", tooltips=tooltips),
         CrosshairTool(dimensions="height", line_color="#8a97a5"),
     )
-    finish_legend(plot)
+    legend = plot.legend[0]
+    legend.click_policy, legend.orientation, legend.location = "hide", "horizontal", "top_left"
+    legend.background_fill_alpha, legend.border_line_color, legend.padding = 0.0, None, 2
+    plot.add_layout(legend, "above")
