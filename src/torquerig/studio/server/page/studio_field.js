@@ -2,14 +2,14 @@
 let count = 0;
 
 export default {
-  props: { label: String, kind: String, value: String, options: Array, hint: String, unit: String, problem: String },
+  props: { label: String, kind: String, value: String, options: Array, hint: String, unit: String, problem: String, title: String },
   data() {
     count += 1;
     return { id: `field-${count}` };
   },
   template: `
     <div class="field" :class="{ wrong: problem }">
-      <label :for="id">{{ label }}</label>
+      <label :for="id" :title="title || null">{{ label }}</label>
       <span class="entry">
         <select v-if="kind === 'choice'" :id="id" ref="entry" @change="tell" :aria-invalid="problem ? 'true' : null"
           :aria-describedby="problem ? id + '-problem' : null">

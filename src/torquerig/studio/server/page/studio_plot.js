@@ -88,8 +88,8 @@ export default {
       const { document: made, range, pyramids } = this.drawn;
       const columns = Math.max(Math.round((this.$el.clientWidth || 800) / COLUMN), 200);
       for (const [name, pyramid] of Object.entries(pyramids)) {
-        const source = made.get_model_by_name(name);
-        if (source) source.data = pyramidView(pyramid, range.start, range.end, columns);
+        const source = made.get_model_by_name(name), { x, y } = pyramidView(pyramid, range.start, range.end, columns);
+        if (source) source.data = { x, y };
       }
     },
   },
