@@ -80,7 +80,7 @@ def command(
 
     Example: torquerig diagnose run1.parquet run2.parquet --scenario scenarios/wear_rig.yaml --report found.html
     """
-    _check_options(engine, held_out, report)
+    _check_held_out(held_out, engine)
     if check:
         foreign = [*([(model, _MARK)] if model else []), *([(report, _PAGE)] if report else [])]
         _check(recordings, scenario, settings, catalogs, seed=seed, out=out, engine=engine, held_out=held_out,
@@ -104,26 +104,23 @@ def command(
     if found.completed is not None and target is not None:
         _write_model(target, found.completed, made)
         data["model"] = str(target)
+    if out != "-":
+        click.echo("\n".join(found.lines(data)))
     if out is not None:  # before the page: whatever happens to it, the answer is there
-        click.echo(json_text(data), nl=False) if out == "-" else write_json(json_text(data), out)
+        write_json(json_text(data), out)
     if report is not None:
         again = _command(recordings, scenario, settings=settings, held_out=held_out, engine=engine, seed=seed)
         page = found.page(data, command=again, model=_named(data["model"]))
         with whole_file(report) as partial:
             partial.write_text(page, encoding="utf-8", newline="\n")
-    if out == "-":
-        return
-    click.echo("\n".join(found.lines(data)))
     for path in (report, data["model"]):
-        if path is not None:
+        if path is not None and out != "-":
             click.echo(f"wrote {path}")
 
 
-def _check_options(engine: str, held_out: Sequence[str], report: Path | None) -> None:
+def _check_held_out(held_out: Sequence[str], engine: str) -> None:
     if held_out and engine != "likelihood":
         raise click.UsageError("--held-out needs --engine likelihood; the other engine holds out parts of every run.")
-    if engine == "likelihood" and report is not None:
-        raise click.UsageError("--engine likelihood writes no page yet; leave out --report, or --engine.")
 
 
 def _write_model(target: Path, completed: Rig, made: Scenario) -> None:

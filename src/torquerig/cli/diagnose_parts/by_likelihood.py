@@ -14,7 +14,7 @@ from torquerig.inference.answer import as_json
 from torquerig.inference.engine import Outcome, diagnose
 from torquerig.recordings.recording import Recording
 from torquerig.reporting.diagnosis.answer_text import answer_lines
-from torquerig.reporting.diagnosis.likelihood_sentences import remarks_of, verdict_of
+from torquerig.reporting.diagnosis.likelihood.sentences import remarks_of, verdict_of
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.recorded.compared_channel import as_measured
 
@@ -53,4 +53,6 @@ def _lines(data: Mapping[str, Any]) -> list[str]:
 
 
 def _page(data: Mapping[str, Any], *, outcome: Outcome, title: str, command: str, model: str | None, seed: int) -> str:
-    raise NotImplementedError
+    from torquerig.reporting.diagnosis.likelihood.page import likelihood_page
+
+    return likelihood_page(outcome, data, title=title, command=command, model=model, seed=seed)

@@ -4,19 +4,38 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from math import exp
-from typing import Any, get_args, get_type_hints
+from typing import Any, Protocol, get_args, get_type_hints
 
 import numpy as np
+from numpy.typing import NDArray
 
-from torquerig.diagnosis.fitting.calibration import Calibrated
 from torquerig.diagnosis.fitting.knobs import Knob
-from torquerig.diagnosis.motion.fitted import FittedMotion
 from torquerig.parameter import Parameter
 from torquerig.reporting.layout import Cell, Table, number, plain
 from torquerig.rig.assembly import Rig
 from torquerig.units import in_unit
 
-Fitted = Calibrated | FittedMotion
+
+class Fitted(Protocol):
+    """A model with fitted parameters."""
+
+    @property
+    def rig(self) -> Rig:
+        """With every parameter at its estimate."""
+
+    @property
+    def knobs(self) -> tuple[Knob, ...]:
+        """The parameters."""
+
+    @property
+    def positions(self) -> NDArray[np.float64]:
+        """Their estimates, in standard deviations from where the fit began; shape (knobs,)."""
+
+    @property
+    def covariance(self) -> NDArray[np.float64]:
+        """Of the positions, shape (knobs, knobs)."""
+
+
 _AS_DECLARED: Mapping[str, str] = {}
 
 
