@@ -6,7 +6,8 @@ prediction/             what a rig is expected to show
 likelihood              how likely features are under a model      load_spectrum   what nobody knows of a load
 setup_faults            readings of the samples with a fact of the set-up corrected
 parameters, fit         the nominal rig's numbers, their maximum of the posterior, and the evidence
-additions/, addition    hypotheses: nameless effects, numbers far off, mechanisms      context, shafts, tones   for them
+additions/, addition    hypotheses: nameless effects, numbers far off, mechanisms
+context, shafts, tones, one_size    for them
 search                  the additions of the largest posterior odds
 adequacy, held_out      whether a model explains the data, and those that no fit has seen
 isolability/            what recordings can show and tell apart

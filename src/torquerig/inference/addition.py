@@ -32,6 +32,8 @@ class Addition:
     ----------
     mechanism : str
         Class name of the contract; empty for a nameless effect and for a number of the rig.
+    variant : str
+        Which finer mechanism of the library makes it, or which form of the class; empty for the class itself.
     kind : str
         Of a nameless effect ``line_family``, ``tone`` or ``resonance``; of a number of the rig ``parameter``.
     parts : tuple of Part
@@ -54,6 +56,7 @@ class Addition:
     """
 
     mechanism: str = ""
+    variant: str = ""
     kind: str = ""
     parts: tuple[Part, ...] = ()
     knobs: tuple[Knob, ...] = ()

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from math import inf, pi
 
 import numpy as np
 
@@ -12,14 +13,16 @@ from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.addition import DECADE, start_of
 from torquerig.inference.features.line_search import FoundLine
-from torquerig.inference.fit import Data, Fit
-from torquerig.inference.likelihood import floor_density
+from torquerig.inference.fit import Data, Fit, all_residuals
+from torquerig.inference.likelihood import BAND, floor_density
 from torquerig.inference.prediction.expected_run import expected_run
-from torquerig.inference.shafts import Shaft, shafts_of
+from torquerig.inference.shafts import Shaft, shafts_of, whole_order
 from torquerig.rig.assembly import Part, Rig
 
 SHARE_OF_SIGNAL = 0.03  # [1] of the signal's standard deviation: median of the prior of an amplitude
 _SAME_MULTIPLE = 2e-3  # [1] relative: so near to a whole multiple of a line another one is its harmonic
+_UNMEASURED = 6e-3  # [1] relative error of a found order where no angle was measured: half of what smears a line
+_SAME_ORDER = 4e-3  # [1/rev] so near to an order of a shaft a line is taken to be at it
 _REACHES = 0.1  # of the largest response: a run in which a torque hardly reaches the sensor says little of its size
 
 
@@ -64,18 +67,76 @@ class Context:
         """Largest mean torque of a part of a run [N m], without sign."""
         return max(float(np.abs(seen.level).max(initial=0.0)) for seen in self.data.seen)
 
+    @cached_property
+    def resolution(self) -> float:
+        """Half a bin of the longest recording [Hz]: to so much the frequency of a tone is determined."""
+        return 0.5 / max(seen.run.recording.duration for seen in self.data.seen)
+
+    @cached_property
+    def order_error(self) -> float:
+        """Relative error of the orders of found lines [1]."""
+        measured = all(seen.run.has_encoder for seen in self.data.seen)
+        return _SAME_MULTIPLE if measured else _UNMEASURED
+
+    @cached_property
+    def order_step(self) -> float:
+        """A quarter of the distance at which the longest block separates two orders of the motor [1/rev]."""
+        turned = [
+            abs(segment.speed) * seen.duration_of(segment) / (2 * pi)
+            for seen in self.data.seen for segment in seen.segments
+        ]  # fmt: skip
+        return 0.25 / max([1.0, *turned])
+
+    def whole(self, place: Place, turns: float = 1.0) -> int | None:
+        """Return the whole order that a found line is at on a shaft of so many turns per turn of the motor, or None."""
+        return whole_order(place.at / turns, within=self.order_error) if place.domain == "order" else None
+
     def fastest(self, shaft: Shaft) -> float:
         """Return the largest speed of a shaft [rad/s]."""
         return max(float(np.abs(seen.level_speed).max(initial=0.0)) for seen in self.data.seen) * shaft.turns
+
+    def bands_above(self) -> list[float]:
+        """Return the middles of the bands [Hz], those first that exceed the model most in the sum over the runs."""
+        excess: dict[float, float] = {}
+        residual = all_residuals(self.data, self.fit.expected, self.fit.gains, self.fit.off)
+        for seen, run in zip(self.data.seen, residual, strict=True):
+            rows = np.flatnonzero(run.kind == BAND)
+            middle = np.round(seen.bands.middle[run.at[rows]], 3)
+            for at, value in zip(middle.tolist(), run.standardised[rows].tolist(), strict=True):
+                excess[at] = excess.get(at, 0.0) + value
+        return sorted((at for at, value in excess.items() if value > 0), key=lambda at: -excess[at])
+
+    def top_residual(self, bands: int) -> float:
+        """Return the mean standardised residual of the highest bands of all runs [1]."""
+        values = list[float]()
+        for run in all_residuals(self.data, self.fit.expected, self.fit.gains, self.fit.off):
+            own = run.at[run.kind == BAND]
+            if own.size:
+                values += run.standardised[run.kind == BAND][own > own.max() - bands].tolist()
+        return float(np.mean(values)) if values else 0.0
 
     def multiples(self, place: Place, *, most: int) -> dict[int, Place]:
         """Return the found lines at whole multiples of a place, itself included, by multiple."""
         answer = {1: place}
         for line in self.lines:
             multiple = round(line.place.at / place.at) if line.place.domain == place.domain else 0
-            if 2 <= multiple <= most and abs(line.place.at / (multiple * place.at) - 1) < _SAME_MULTIPLE:
+            within = self.order_error if place.domain == "order" else _SAME_MULTIPLE
+            if 2 <= multiple <= most and abs(line.place.at / (multiple * place.at) - 1) < within:
                 answer.setdefault(multiple, line.place)
         return dict(sorted(answer.items()))
+
+    def at_orders(self, turns: float, orders: Iterable[float]) -> dict[float, Place]:
+        """Return the found lines at orders [1/rev] of a shaft that turns ``turns`` times per turn of the motor."""
+        answer: dict[float, Place] = {}
+        for order in orders:
+            within = max(self.order_error * order, self.order_step / turns, _SAME_ORDER)
+            near = (
+                (abs(line.place.at / turns - order), line.place) for line in self.lines if line.place.domain == "order"
+            )
+            apart, place = min(near, default=(inf, None), key=lambda one: one[0])
+            if place is not None and apart < within:
+                answer[order] = place
+        return answer
 
     def size_of(self, unit: Part, place: Place) -> tuple[float, float]:
         """Return by which factor ``unit`` explains the line at ``place``, and the median of the factor's prior.
@@ -104,13 +165,6 @@ class Context:
         return found[len(found) // 2], SHARE_OF_SIGNAL * self.signal / max(gains)
 
 
-def is_multiple(place: Place, order: float, *, most: int) -> bool:
-    """Return whether a line is at one of the first multiples of an order of the motor."""
-    multiple = round(place.at / order)
-    near = abs(place.at / (max(multiple, 1) * order) - 1) < _SAME_MULTIPLE
-    return place.domain == "order" and 1 <= multiple <= most and near
-
-
 @dataclass
 class Harmonics:
     """Amplitudes of a series of lines: prior medians by multiple, the parameters and where a fit of them begins."""
@@ -125,7 +179,7 @@ class Harmonics:
 
 
 def harmonics(
-    context: Context, multiples: dict[int, Place], *, unit: Callable[[int], Part], knob: Callable[[int], Knob],
+    context: Context, multiples: Mapping[int, Place], *, unit: Callable[[int], Part], knob: Callable[[int], Knob],
     median: float | None = None,
 ) -> Harmonics:  # fmt: skip
     """Return amplitudes for the found multiples of a line.

@@ -10,12 +10,14 @@ from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.places import Place, order
 from torquerig.diagnosis.rig_under_test import check_recordings, check_rig
 from torquerig.errors import InputError, RecordingError
+from torquerig.inference.addition import Addition
 from torquerig.inference.features.line_search import FoundLine, search_lines
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.fit import Data, Fit, fitted
 from torquerig.inference.measured_run import MeasuredRun, measured_runs
 from torquerig.inference.model_density import model_densities
 from torquerig.inference.parameters import parameters
+from torquerig.inference.sample_faults import sample_faults, usable_runs
 from torquerig.inference.search import Model, searched
 from torquerig.inference.setup_faults import Reading, SetupFault, best_reading
 from torquerig.recordings.recording import Recording
@@ -80,6 +82,7 @@ class Prepared:
     nominal: Fit
     stated: Reading
     setup: tuple[SetupFault, ...]
+    samples: tuple[Addition, ...] = ()
 
 
 def diagnose(
@@ -109,6 +112,7 @@ def diagnose(
         nominal = fitted(nominal.rig, nominal.knobs, data, start=nominal.positions, gains=nominal.gains)
     held = features_of(runs, places, held_out=True)
     model = searched(nominal, data, held, lines, progress=progress)
+    model = replace(model, additions=(*ready.samples, *model.additions))
     stated_held = features_of(ready.stated.runs, places, held_out=True) if ready.setup else held
     stated = ready.stated.fit if ready.setup else nominal
     return Outcome(runs, data, held, nominal, model, stated, stated_held, lines, ready.setup)
@@ -128,8 +132,11 @@ def prepared(
                 f"{SHORTEST:g} s, better 12 s"
             )
     rig = with_free_load(scenario.rig.at(recordings[0].run))
+    progress("looking for faults of the samples")
+    faults = sample_faults(recordings, rig)
+    rig = faults.added_to(rig)
     progress("estimating the angle of the motor")
-    runs = with_held_out(measured_runs(recordings, rig), held_out)
+    runs = with_held_out(usable_runs(measured_runs(faults.recordings, rig), faults.unusable), held_out)
     known = sorted({order(line.order) for run in runs for line in Twin(rig.at(run.run)).lines()})
     knobs = parameters(scenario, rig, runs)
     progress("fitting the parameters of the nominal model")
@@ -140,7 +147,9 @@ def prepared(
 
     stated = Reading(runs, *nominal_fit(runs))
     reading = best_reading(stated, rig, nominal_fit)
-    return Prepared(reading.runs, tuple(known), reading.data, reading.fit, stated, reading.faults)
+    return Prepared(
+        reading.runs, tuple(known), reading.data, reading.fit, stated, reading.faults, samples=faults.additions
+    )
 
 
 def with_held_out(runs: Sequence[MeasuredRun], names: Sequence[str]) -> tuple[MeasuredRun, ...]:

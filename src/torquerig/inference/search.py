@@ -108,7 +108,12 @@ def _fitted(model: Model, data: Data, screened: Sequence[tuple[Addition, tuple[f
     """Yield the first of the screened additions fitted together with the model, one of each kind and place."""
     kinds = list[tuple[object, ...]]()
     for each, start in screened:
-        kind = (each.mechanism or each.kind, each.places, *(getattr(part, "at", "") for part in each.parts))
+        kind = (
+            each.mechanism or each.kind,
+            each.variant,
+            each.places,
+            *(getattr(part, "at", "") for part in each.parts),
+        )
         if len(kinds) == FITTED:
             return
         if kind not in kinds:

@@ -8,7 +8,7 @@ from torquerig.diagnosis.linear.twin import Twin
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import GROUND
 
-_WHOLE = 2e-3  # [1] relative, and
+_WHOLE = 2e-3  # [1] relative, of an angle that was measured, and
 _NEAR = 4e-3  # [1/rev]: so near to a whole number an order is taken for it
 _HIGHEST = 400  # an order above this is near to a whole number whatever it is
 
@@ -33,7 +33,7 @@ def shafts_of(rig: Rig) -> tuple[Shaft, ...]:
     return tuple(found.values())
 
 
-def whole_order(order: float) -> int | None:
-    """Return the whole number that an order is, or None."""
+def whole_order(order: float, *, within: float = _WHOLE) -> int | None:
+    """Return the whole number that an order is, or None; ``within`` is the relative error of found orders [1]."""
     whole = round(order)
-    return whole if 0 < whole <= _HIGHEST and abs(order - whole) < max(_WHOLE * order, _NEAR) else None
+    return whole if 0 < whole <= _HIGHEST and abs(order - whole) < max(within * order, _NEAR) else None

@@ -32,11 +32,6 @@ def tone(
             mechanism=mechanism, kind=kind, parts=(hum(found.row()),), knobs=tuple(found.knobs),
             starts=(tuple(found.start),), places=tuple(multiples.values()), log_odds=log_odds,
             label=f"{'hum' if mechanism else 'a tone'} at {place.at:.5g} Hz",
-            fixed={"frequency_Hz": (place.at, _resolution(context), "Hz")},
+            fixed={"frequency_Hz": (place.at, context.resolution, "Hz")},
             reported=(Reported("amplitude_V", "amplitudes", "V", key=0),),
         )  # fmt: skip
-
-
-def _resolution(context: Context) -> float:
-    """Return half a bin of the longest recording [Hz]: to so much the frequency of a tone is determined."""
-    return 0.5 / max(seen.run.recording.duration for seen in context.data.seen)

@@ -2,20 +2,35 @@
 
 Nameless: line_family, tone, resonance.  Numbers of the rig: far_parameter.  Mechanisms: one module each.
 
-Each module has ``propose(context)``, which yields additions with their priors.
+Each module has ``propose(context)``, which yields additions with their priors. One that names mechanisms lists their
+files in ``NAMES``.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from importlib import import_module
+from importlib.util import find_spec
 from pkgutil import iter_modules
+from types import ModuleType
 
 from torquerig.inference.addition import Addition
 from torquerig.inference.context import Context
 
 
 def proposals(context: Context) -> Iterator[Addition]:
-    """Yield what every module of this folder proposes."""
+    """Yield what every module of this folder proposes whose mechanisms the library has."""
+    for module in modules():
+        if all(find_spec(f"torquerig.mechanisms.{name}") for name in names_of(module)):
+            yield from module.propose(context)
+
+
+def modules() -> Iterator[ModuleType]:
+    """Yield the modules of this folder by name."""
     for name in sorted(each.name for each in iter_modules(__path__)):
-        yield from import_module(f"{__name__}.{name}").propose(context)
+        yield import_module(f"{__name__}.{name}")
+
+
+def names_of(module: ModuleType) -> tuple[str, ...]:
+    """Return the mechanisms of the library that a module can name; none of a nameless effect or a number of the rig."""
+    return tuple(getattr(module, "NAMES", ()))

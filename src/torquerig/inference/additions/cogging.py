@@ -9,8 +9,9 @@ from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.addition import DECADE, Addition, Reported, free_name
 from torquerig.inference.context import Context, harmonics
-from torquerig.inference.shafts import whole_order
 from torquerig.rig.parts import Motor
+
+NAMES = ("cogging",)
 
 _LOG_ODDS = -2.5
 
@@ -22,7 +23,7 @@ def propose(context: Context) -> Iterator[Addition]:
             continue
         found = {}
         for line in context.lines:
-            order = whole_order(line.place.at) if line.place.domain == "order" else None
+            order = context.whole(line.place)
             if order is not None:
                 found[order] = line.place
         by_slots = {order: place for order, place in found.items() if order % motor.slots == 0}

@@ -9,8 +9,9 @@ from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.addition import DECADE, Addition, Reported, free_name
 from torquerig.inference.context import Context, harmonics
-from torquerig.inference.shafts import whole_order
 from torquerig.rig.parts import Motor
+
+NAMES = ("commutation_ripple",)
 
 _OF_THE_FIELD, _WHOLE = -2.5, -7.0  # log-odds at p, 2p and multiples of 6p, and at any whole order
 _MEDIAN = 0.03  # of the torque: prior median of the depth
@@ -21,7 +22,7 @@ def propose(context: Context) -> Iterator[Addition]:
     """Yield a ripple for each found whole order of each motor."""
     for motor in context.rig.parts_of(Motor):
         for line in context.lines:
-            order = whole_order(line.place.at) if line.place.domain == "order" else None
+            order = context.whole(line.place)
             if order is not None:
                 yield from _ripple(context, motor, order, context.multiples(line.place, most=_HARMONICS))
 

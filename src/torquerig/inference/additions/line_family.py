@@ -9,7 +9,7 @@ from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.addition import DECADE, Addition, free_name
 from torquerig.inference.context import Context, harmonics
-from torquerig.inference.shafts import Shaft, whole_order
+from torquerig.inference.shafts import Shaft
 
 _WHOLE, _ANY = -6.0, -9.0  # log-odds of a line at a whole order of a shaft, and anywhere on the search grid
 _HARMONICS = 6
@@ -24,7 +24,7 @@ def propose(context: Context) -> Iterator[Addition]:
 
 
 def _family(context: Context, shaft: Shaft, place: Place) -> Iterator[Addition]:
-    whole, name = whole_order(place.at / shaft.turns), free_name(context.rig, "unnamed_line")
+    whole, name = context.whole(place, shaft.turns), free_name(context.rig, "unnamed_line")
     first = float(whole) if whole else place.at / shaft.turns
     multiples = context.multiples(place, most=_HARMONICS)
 

@@ -8,6 +8,8 @@ from torquerig.inference.addition import Addition
 from torquerig.inference.context import Context
 from torquerig.inference.tones import tone
 
+NAMES = ("mains_interference",)
+
 _GRIDS = (50.0, 60.0)  # [Hz]
 _MULTIPLES = (
     1,

@@ -9,6 +9,8 @@ from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.addition import DECADE, Addition, Reported, free_name
 from torquerig.inference.context import Context
 
+NAMES = ("quadratic_drag",)
+
 _LOG_ODDS = -3.0
 _SHARE = 0.1  # of the largest mean torque, at the largest speed: prior median
 _STARTS = ((-1.0,), (0.0,), (1.0,))

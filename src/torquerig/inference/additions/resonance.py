@@ -4,14 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-import numpy as np
-
 from torquerig import mechanisms
 from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.addition import DECADE, Addition, free_name
 from torquerig.inference.context import SHARE_OF_SIGNAL, Context
-from torquerig.inference.fit import all_residuals
-from torquerig.inference.likelihood import BAND
 
 _LOG_ODDS = -6.0
 _STRONGEST = 4  # bands from which a hump is started
@@ -24,7 +20,7 @@ def propose(context: Context) -> Iterator[Addition]:
     """Yield a hump at each of the bands that exceed the model most in all runs together."""
     name = free_name(context.rig, "unnamed_hump")
     rms = SHARE_OF_SIGNAL * context.signal / context.unit
-    for frequency in _bands_above(context)[:_STRONGEST]:
+    for frequency in context.bands_above()[:_STRONGEST]:
         yield Addition(
             kind="resonance", log_odds=_LOG_ODDS, label=f"a hump of the spectrum near {frequency:.4g} Hz",
             parts=(mechanisms.NoiseHump(name=name, rms=rms, frequency=frequency, width=_WIDTH),),
@@ -32,15 +28,3 @@ def propose(context: Context) -> Iterator[Addition]:
                    Knob(name, "width", _WIDTH_SPREAD)),
             starts=_STARTS,
         )  # fmt: skip
-
-
-def _bands_above(context: Context) -> list[float]:
-    """Return the middles of the bands [Hz], those first that exceed the model most in the sum over the runs."""
-    excess: dict[float, float] = {}
-    fit, data = context.fit, context.data
-    for seen, run in zip(data.seen, all_residuals(data, fit.expected, fit.gains, fit.off), strict=True):
-        rows = np.flatnonzero(run.kind == BAND)
-        middle = np.round(seen.bands.middle[run.at[rows]], 3)
-        for at, value in zip(middle.tolist(), run.standardised[rows].tolist(), strict=True):
-            excess[at] = excess.get(at, 0.0) + value
-    return sorted((at for at, value in excess.items() if value > 0), key=lambda at: -excess[at])

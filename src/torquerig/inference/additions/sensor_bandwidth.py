@@ -10,6 +10,8 @@ from torquerig.inference.addition import Addition, Reported, free_name
 from torquerig.inference.context import Context
 from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
 
+NAMES = ("sensor_bandwidth",)
+
 _LOG_ODDS = -3.0
 _MEDIAN, _SPREAD = 0.3, 0.8  # of the stated bandwidth, and of the logarithm
 _STARTS = ((-1.5,), (-0.5,), (0.4,), (1.0,))

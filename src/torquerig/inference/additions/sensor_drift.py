@@ -9,6 +9,8 @@ from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.addition import Addition, Reported, free_name
 from torquerig.inference.context import Context
 
+NAMES = ("sensor_drift",)
+
 _EXPONENTIAL, _LINEAR = -3.0, -3.7  # log-odds
 _RELATIVE = 0.3  # of the signal's standard deviation: standard deviation of the span
 _CONSTANTS = (0.1, 0.4)  # of the longest recording: prior medians of the time constant

@@ -9,6 +9,8 @@ from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.addition import DECADE, Addition, Reported, free_name
 from torquerig.inference.context import Context
 
+NAMES = ("stribeck_friction",)
+
 _LOG_ODDS = -3.0
 _COULOMB = 0.1  # of the largest mean torque: prior median
 _STATIC = 2.0  # times the Coulomb torque: prior median of the peak

@@ -12,6 +12,8 @@ from torquerig.inference.addition import Addition, Reported, free_name
 from torquerig.inference.context import Context
 from torquerig.rig.terms import Inertia
 
+NAMES = ("torsional_mode",)
+
 _LOG_ODDS = -5.0  # within one step of the grid of frequencies
 _PER_OCTAVE = 4  # steps
 _LOWEST, _HIGHEST = 8.0, 0.2  # [Hz], and of the sample rate

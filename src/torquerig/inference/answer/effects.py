@@ -20,6 +20,7 @@ def finding(outcome: Outcome, each: Addition, *, next_experiment: str | None) ->
     """Return a mechanism that the model lacks."""
     return {
         "mechanism": each.mechanism,
+        **({"variant": each.variant} if each.variant else {}),
         "part": next((place for part in each.parts if (place := _place(part))), ""),
         "explanation": f"The model lacks {each.label}.{_compared(outcome, each)}",
         "confidence": round(confidence(outcome, each), 3),
@@ -110,7 +111,14 @@ def _kind(each: Addition) -> str:
 def _place(part: Part) -> str:
     """Return the part that an effect sits in."""
     return str(
-        next((own for name in ("at", "gear", "after", "sensor", "host") if (own := getattr(part, name, None))), "")
+        next(
+            (
+                own
+                for name in ("at", "gear", "coupling", "after", "sensor", "host")
+                if (own := getattr(part, name, None))
+            ),
+            "",
+        )
     )
 
 

@@ -13,13 +13,12 @@ from torquerig.diagnosis.linear.quasi_static import quasi_static
 from torquerig.diagnosis.linear.twin import Twin, passed, sources
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.prediction.line_routes import line_routes
+from torquerig.inference.prediction.measuring_chain import chain_noise, crosstalk_lines, passed_by_logger
+from torquerig.inference.prediction.ringing import ringing_density, ringing_lines
 from torquerig.inference.prediction.slow_torque import covariance, of_lines
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Load
-from torquerig.sensor_stages.band_noise import BandNoise
 from torquerig.sensor_stages.drift import Drift
-from torquerig.sensor_stages.noise import WhiteNoise
-from torquerig.sensor_stages.ringing import Ringing
 from torquerig.sensor_stages.scale_and_zero import ScaleAndZero
 from torquerig.sensor_stages.tone import Tone, folded
 
@@ -64,17 +63,19 @@ def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
     """Return what the linear twin of ``rig`` expects of the run of ``seen``."""
     twin = Twin(rig.at(seen.run.run))
     count, places = len(seen.segments), len(seen.places)
-    load = _load(twin, rig, seen)
-    density = load + _noise(twin.rig, seen) + _rings(twin, seen)
+    kept = passed_by_logger(twin.rig, seen.bands.middle)
+    load = kept * _load(twin, rig, seen)
+    density = load + chain_noise(twin.rig, seen) + kept * ringing_density(twin, seen)
     power, moved = np.zeros((count, places)), np.zeros((count, places))
     unshown = list[tuple[Floats, Floats]]()
     for frequency, amplitude, shifted in _lines(twin, seen):
         routes = line_routes(seen, frequency)
+        kept = passed_by_logger(twin.rig, frequency)
         row = np.broadcast_to(np.arange(count), frequency.shape)
-        square = amplitude**2
+        square = kept * amplitude**2
         at = routes.place >= 0
         np.add.at(power, (row[at], routes.place[at]), (routes.share * square)[at])
-        np.add.at(moved, (row[at], routes.place[at]), (routes.share * shifted**2)[at])
+        np.add.at(moved, (row[at], routes.place[at]), (routes.share * kept * shifted**2)[at])
         inside = routes.band >= 0
         np.add.at(density, (row[inside], routes.band[inside]), 0.5 * square[inside] / routes.width[inside])
         slow = ~at & (routes.band < 0)
@@ -106,6 +107,9 @@ def _lines(twin: Twin, seen: RunFeatures) -> Iterator[tuple[Floats, Floats, Floa
         gain = np.abs(passed([line.transfer for line in lines], both))
         size = sources(lines, motor)
         yield frequency, np.asarray(gain[:, : at.shape[1]] * size), np.asarray(gain[:, at.shape[1] :] * size)
+    for frequency, size in (crosstalk_lines(twin, seen), ringing_lines(twin, seen)):
+        if size.size:
+            yield frequency, size, size
     volts = seen.unit
     for stage in twin.rig.stages():
         if isinstance(stage, Tone):
@@ -132,32 +136,6 @@ def _depends_on_speed(twin: Twin, slower: Rig) -> bool:
     own = [term for term in twin.terms if isinstance(term, Load)]
     other = [term for term in slower.terms() if isinstance(term, Load)]
     return own != other
-
-
-def _noise(rig: Rig, seen: RunFeatures) -> Floats:
-    """Return the density of the noise of the measuring chain in each band [(N m)^2/Hz]."""
-    bands, unit = seen.bands, seen.unit
-    power = np.zeros(bands.low.size)
-    for stage in rig.stages():
-        if isinstance(stage, WhiteNoise):
-            power += unit**2 * stage.density(bands.middle, seen.run.rate)
-        elif isinstance(stage, BandNoise):
-            power += unit**2 * stage.density_between(bands.low, bands.high)
-    return power
-
-
-def _rings(twin: Twin, seen: RunFeatures) -> Floats:
-    """Return the density that modes rung by impacts leave [(N m)^2/Hz], shape (segments, bands)."""
-    bands = seen.bands
-    answer = np.zeros((len(seen.segments), bands.low.size))
-    for stage in twin.rig.stages():
-        if isinstance(stage, Ringing):
-            for row, speed in enumerate(np.abs(seen.speed).tolist()):
-                impacts = float(stage.order * stage.turns * speed / (2 * pi))
-                answer[row] += stage.density_between(bands.low, bands.high, impacts) * twin.amplifier_power(
-                    bands.middle
-                )
-    return answer
 
 
 def _zero(rig: Rig, seen: RunFeatures) -> Floats:

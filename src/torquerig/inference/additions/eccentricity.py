@@ -1,0 +1,52 @@
+"""Eccentricity: a rotor off the centre of its stator, whose teeth then pull unequally; a variant of cogging."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from torquerig import mechanisms
+from torquerig.diagnosis.fitting.knobs import Knob
+from torquerig.inference.addition import DECADE, Addition, Reported, free_name, start_of
+from torquerig.inference.context import Context
+from torquerig.rig.parts import Motor
+
+NAMES = ("eccentricity",)
+
+_LOG_ODDS = -5.0
+_STATIC, _DYNAMIC = 0.1, 0.03  # of the magnetic gap: prior medians
+_SPREAD = 0.7  # of their logarithms
+_FEWEST = 2  # lines; a single one is one of cogging
+
+
+def propose(context: Context) -> Iterator[Addition]:
+    """Yield an offset rotor for each motor that shows several of the lines that it makes."""
+    for motor in context.rig.parts_of(Motor):
+        if motor.slots and motor.pole_pairs:
+            yield from _off_centre(context, motor.name, motor.slots, motor.pole_pairs)
+
+
+def _off_centre(context: Context, motor: str, slots: int, pairs: int) -> Iterator[Addition]:
+    name = free_name(context.rig, "eccentricity")
+
+    def off(tooth: float) -> mechanisms.Eccentricity:
+        return mechanisms.Eccentricity(
+            name=name, at=motor, slots=slots, pole_pairs=pairs, tooth_torque=tooth, static=_STATIC, dynamic=_DYNAMIC
+        )
+
+    amplitudes = off(1.0).amplitudes()
+    lines = context.at_orders(1.0, map(float, amplitudes))
+    if len(lines) < _FEWEST:
+        return
+    largest = max(lines, key=lambda order: amplitudes[round(order)])
+    value, median = context.size_of(off(1.0), lines[largest])
+    if median:
+        shares = Knob(name, "static", _SPREAD), Knob(name, "dynamic", _SPREAD)
+        yield Addition(
+            mechanism="cogging", variant="eccentricity", parts=(off(median),), places=tuple(lines.values()),
+            knobs=(Knob(name, "tooth_torque", DECADE), *shares),
+            starts=tuple((start_of(value, median), *at) for at in ((0.0, 0.0), (1.0, -1.0), (-1.0, 1.0))),
+            log_odds=_LOG_ODDS, label=f"a rotor of {motor} off the centre of its stator",
+            fixed={"order_motor": (largest, 0.0, "1/rev")},
+            reported=(Reported("tooth_torque_Nm", "tooth_torque", "N*m"), Reported("static", "static", "1"),
+                      Reported("dynamic", "dynamic", "1")),
+        )  # fmt: skip

@@ -1,0 +1,147 @@
+"""Impacts that ring: orders of a shaft at which the squared envelope of a band beats, in all runs together.
+
+Squared envelope spectrum over the angle (Randall & Antoni 2011, MSSP 25(2)). Where nothing beats, each of its bins over
+the median of its neighbours is an exponential variate, and the sum over harmonics and blocks a gamma variate.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from math import log, pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.inference.features.line_powers import line_powers
+from torquerig.inference.features.run_features import RunFeatures
+
+Floats = NDArray[np.float64]
+
+LEVEL = 1e-4  # p-value of the whole search below which a beat is real
+_LOWEST, _HIGHEST = 60.0, 0.42  # [Hz], and of the sample rate: bands that are searched
+_OCTAVES = 0.5  # width of a band
+_ORDERS = (1.2, 15.0)  # [1/rev] of the shaft: rolling bearings have 2 to 12 (Harris & Kotzalas)
+_HARMONICS = 3
+_OVERSAMPLED = 2  # points of the grid of orders for each bin
+_MOST = 12.0  # [1] times the noise that one bin counts
+_NEIGHBOURS = 50  # bins either way whose median is the noise of a bin
+_LARGEST_PART = 5  # of a beat: a lower order whose other multiples beat too
+_BEATS = 4.0  # [1] times the noise, in the mean
+_TURNS = 6.0  # of the shaft in a block at least
+
+
+@dataclass(frozen=True)
+class Impact:
+    """A band around ``frequency`` [Hz] that beats ``order`` times per turn of a shaft, with the p-value's logarithm."""
+
+    order: float
+    frequency: float
+    log_p: float
+
+
+@dataclass(frozen=True)
+class _Beats:
+    """Power over noise of squared envelopes, along orders of the motor: one row for each band."""
+
+    ratios: tuple[Floats, ...]
+    step: float
+    turned: float
+
+
+def search_impacts(seen: Sequence[RunFeatures], turns: float) -> Impact | None:
+    """Return the clearest beat of a shaft that turns ``turns`` times per turn of the motor, or None."""
+    beats = [each for one in seen for each in _beats_of(one) if each.turned * turns > _TURNS]
+    if not beats:
+        return None
+    step = min(each.step for each in beats) / turns / _OVERSAMPLED
+    orders = np.arange(*_ORDERS, step)
+    bands = min(len(each.ratios) for each in beats)
+    scores = np.array([np.sum([_score(each, band, orders * turns) for each in beats], axis=0) for band in range(bands)])
+    if not scores.size:
+        return None
+    band, at = np.unravel_index(int(np.argmax(scores)), scores.shape)
+    count = _HARMONICS * len(beats)
+    log_p = _log_tail(count, float(scores[band, at])) + log(orders.size / _OVERSAMPLED * bands)
+    if log_p > log(LEVEL):
+        return None
+    order = _fundamental(beats, int(band), float(orders[at]), turns)
+    return Impact(order, _LOWEST * 2 ** (_OCTAVES * (float(band) + 0.5)), log_p)
+
+
+@lru_cache(maxsize=32)
+def _beats_of(seen: RunFeatures) -> tuple[_Beats, ...]:
+    return tuple(_each_block(seen))
+
+
+def _each_block(seen: RunFeatures) -> Iterator[_Beats]:
+    run = seen.run
+    for segment in seen.segments:
+        for block in segment.blocks:
+            angle = np.abs(run.angle[block.samples] - run.angle[block.start])
+            residual = line_powers(run, block.samples, seen.places).residual
+            turned = float(angle[-1]) / (2 * pi)
+            spectrum = np.fft.rfft(residual - residual.mean())
+            ratios = [
+                _over_noise(_envelope(spectrum, residual.size, run.rate, centre), angle)
+                for centre in _centres(run.rate)
+            ]
+            yield _Beats(tuple(ratios), 1 / max(turned, 1e-9), turned)
+
+
+def _centres(rate: float) -> Floats:
+    count = int(np.log2(_HIGHEST * rate / _LOWEST) / _OCTAVES) if _HIGHEST * rate > _LOWEST else 0
+    return np.asarray(_LOWEST * 2 ** (_OCTAVES * (np.arange(count) + 0.5)))
+
+
+def _envelope(spectrum: NDArray[np.complex128], size: int, rate: float, centre: float) -> Floats:
+    """Return the squared envelope of a band, sampled as often as its width permits."""
+    low, high = (round(centre * 2 ** (way * 0.5 * _OCTAVES) * size / rate) for way in (-1, 1))
+    inside = spectrum[low:high]
+    padded = np.zeros(2 * inside.size, dtype=complex)  # a squared envelope is twice as wide
+    padded[: inside.size] = inside
+    return np.asarray(np.abs(np.fft.ifft(padded)) ** 2)
+
+
+def _over_noise(envelope: Floats, angle: Floats) -> Floats:
+    """Return the power of each order of the motor over that of its neighbours."""
+    from scipy.ndimage import median_filter
+
+    if envelope.size < 4 * _NEIGHBOURS or angle[-1] <= 0:
+        return np.zeros(0)
+    at = angle[np.linspace(0, angle.size - 1, envelope.size).astype(int)]
+    even = np.linspace(0.0, float(angle[-1]), envelope.size)
+    by_angle = np.interp(even, np.maximum.accumulate(at), envelope)
+    power = np.abs(np.fft.rfft((by_angle - by_angle.mean()) * np.hanning(by_angle.size))) ** 2
+    floor = median_filter(power, size=2 * _NEIGHBOURS + 1, mode="nearest") / log(2)
+    return np.asarray(power / np.maximum(floor, 1e-300))
+
+
+def _score(beats: _Beats, band: int, orders: Floats) -> Floats:
+    """Return the power over noise summed over the first harmonics of orders of the motor; 1 each where unknown."""
+    return np.asarray(sum(_at(beats, band, harmonic * orders) for harmonic in range(1, _HARMONICS + 1)))
+
+
+def _at(beats: _Beats, band: int, orders: Floats) -> Floats:
+    ratio = np.minimum(beats.ratios[band], _MOST)
+    row = np.round(orders / beats.step).astype(int)
+    inside = row < ratio.size
+    return np.where(inside, ratio[np.where(inside, row, 0)] if ratio.size else 1.0, 1.0)
+
+
+def _fundamental(beats: Sequence[_Beats], band: int, order: float, turns: float) -> float:
+    """Return the lowest order of which ``order`` is a multiple and whose other multiples beat too."""
+    for part in range(_LARGEST_PART, 1, -1):
+        others = np.array([each for each in range(1, 2 * part) if each % part]) * order / part
+        if order / part >= _ORDERS[0] and np.mean([_at(each, band, others * turns) for each in beats]) > _BEATS:
+            return order / part
+    return order
+
+
+def _log_tail(shape: int, value: float) -> float:
+    """Return the logarithm of the probability that a gamma variate exceeds a value."""
+    from scipy.special import gammaincc, gammaln
+
+    tail = float(gammaincc(shape, value))
+    return log(tail) if tail > 1e-290 else (shape - 1) * log(value) - value - float(gammaln(shape))

@@ -1,0 +1,182 @@
+"""Faults of the samples as hypotheses: a limit, coarse codes, dropouts; each against samples of a continuous signal.
+
+The detectors of ``recordings.repair`` propose a level, a step, or moments. Each is accepted by the likelihood of
+held-out samples: how many of them are exactly on the level or on the steps, compared with how many a signal would leave
+there that takes every code of the converter. What the moments hold is then repaired or left out, so that the features
+are those of the torque.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import inf, log, sqrt
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig import mechanisms
+from torquerig.inference.addition import Addition, free_name
+from torquerig.inference.measured_run import MeasuredRun
+from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.coarse_codes import coarse_codes
+from torquerig.recordings.repair.flat_tops import flat_tops
+from torquerig.recordings.repair.moments import bridged
+from torquerig.recordings.repair.samples_at_limit import at_limit, rebuilt, too_long
+from torquerig.recordings.repair.sharp_dropouts import Gap, dropouts_of, gaps
+from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
+from torquerig.rig.assembly import Part, Rig
+
+NAMES = ("clipping", "quantization", "signal_dropout")
+
+LEAST = 8.0  # [nats] of posterior odds, as for every addition
+_LOG_ODDS = -5.0  # of each of the three
+_PARTS = 6  # of a recording, of which each third one is held out, as blocks are
+_JUMP = 12.0  # [standard deviations of a step] that each edge of a dropout exceeds at least
+_TAIL = 8.0  # degrees of freedom of Student's distribution, by which a single jump is judged
+_MOST_AT_LIMIT = 1e-3  # share of the samples of a block
+_NEAR = 0.25  # of the converter's step, within which a value is on a coarser one
+_ASIDE = 1e-3  # probability of a value that is on none of the coarse codes
+_TWO_SIDED = 1.96  # standard deviations of half a 95 % interval
+
+
+@dataclass(frozen=True, eq=False)
+class SampleFaults:
+    """Recordings with the moments that hold no torque repaired, and what was found.
+
+    Parameters
+    ----------
+    recordings : tuple of Recording
+        Repaired.
+    unusable : tuple of ndarray of bool, shape (samples,)
+        By recording, which samples are at a limit where they are too many to be rebuilt.
+    additions : tuple of Addition
+        Without parameters that are fitted.
+    """
+
+    recordings: tuple[Recording, ...]
+    unusable: tuple[NDArray[np.bool_], ...]
+    additions: tuple[Addition, ...]
+
+    def added_to(self, rig: Rig) -> Rig:
+        """Return the rig with the faults."""
+        for each in self.additions:
+            rig = each.added_to(rig)
+        return rig
+
+
+def sample_faults(recordings: Sequence[Recording], rig: Rig) -> SampleFaults:
+    """Return what the samples of recordings of one rig show that the rig does not have."""
+    sensor = rig.part(rig.measured)
+    full, step = inf, 0.0
+    if isinstance(sensor, AmplifiedTorqueSensor):
+        full, step = sensor.converter_range, 2 * sensor.converter_range / 2**sensor.converter_bits
+    found = list[Addition]()
+    coarse = None if rig.of_kind("quantization") else _codes(recordings, rig, step)
+    found += [] if coarse is None else [coarse[0]]
+    code = step if coarse is None else coarse[1]
+    lost = [gaps(each.torque_values(), each.sample_rate) for each in recordings]
+    dropouts = None if rig.of_kind("signal_dropout") else _dropouts(recordings, rig, lost)
+    if dropouts is not None:
+        found.append(dropouts)
+        recordings = [bridged(each, [gap[:2] for gap in own]) for each, own in zip(recordings, lost, strict=True)]
+    limit = None if rig.of_kind("clipping") else _limit(recordings, rig, full, code, coarse=coarse is not None)
+    unusable = tuple(np.zeros(each.samples, dtype=bool) for each in recordings)
+    if limit is not None:
+        found.append(limit[0])
+        stuck = [at_limit(each, limit=limit[1]) for each in recordings]
+        unusable = tuple(each if too_long(each) else np.zeros_like(each) for each in stuck)
+        recordings = tuple(rebuilt(each, limit=limit[1]) for each in recordings)
+    return SampleFaults(tuple(recordings), unusable, tuple(found))
+
+
+def usable_runs(runs: Sequence[MeasuredRun], unusable: Sequence[NDArray[np.bool_]]) -> tuple[MeasuredRun, ...]:
+    """Return the runs without blocks of which too many samples are at a limit; all blocks where none is usable."""
+    kept = tuple(
+        replace(run, blocks=tuple(block for block in run.blocks if flags[block.samples].mean() < _MOST_AT_LIMIT))
+        for run, flags in zip(runs, unusable, strict=True)
+    )
+    both = {block.held_out for run in kept for block in run.blocks}
+    return kept if both == {True, False} else tuple(runs)
+
+
+def _codes(recordings: Sequence[Recording], rig: Rig, step: float) -> tuple[Addition, float] | None:
+    """Return codes coarser than the converter's, and their step [V].
+
+    Of k codes of the converter one is on the coarse ones: each different held-out value there weighs ``ln k``.
+    """
+    codes = coarse_codes(recordings, converter_step=step) if step else None
+    if codes is None:
+        return None
+    values = np.unique(np.concatenate([_held_out(each) for each in recordings]))
+    off = np.abs(values / codes.step - np.round(values / codes.step))
+    on = int((off * codes.step < _NEAR * step).sum())
+    share = 2 * _NEAR * step / codes.step  # of a continuous signal's values that are as near to a step
+    gain = on * log(1 / share) + (values.size - on) * log(_ASIDE)
+    if gain + _LOG_ODDS < LEAST:
+        return None
+    half = _TWO_SIDED * step / max(float(np.ptp(values)) / codes.step, 1.0) / sqrt(12)
+    label = f"codes {codes.step / step:.3g} times as coarse as the converter's"
+    fixed = {"step_V": (codes.step, half, "V")}
+    return _addition(rig, "quantization", gain, fixed, label, step=codes.step), codes.step
+
+
+def _limit(
+    recordings: Sequence[Recording], rig: Rig, full: float, code: float, *, coarse: bool
+) -> tuple[Addition, float] | None:
+    """Return the level at which readings stop [V], and its hypothesis.
+
+    The tail of a continuous signal thins out: the last code holds no more samples than the one before it. The number of
+    held-out samples on the last code is a Poisson variate.
+    """
+    cut = flat_tops(recordings, full_range=full, code=code, coarse=coarse)
+    if cut is None:
+        return None
+    width = code or 1e-6 * cut.limit
+    gain = 0.0
+    for each in recordings:
+        if each.name in cut.runs:
+            size = np.abs(_held_out(each))
+            piled, before = (int((np.abs(size - at) < 0.5 * width).sum()) for at in (cut.limit, cut.limit - width))
+            gain += piled * log(max(piled, 1) / (before + 1)) - max(piled - before - 1, 0)
+    if gain + _LOG_ODDS < LEAST:
+        return None
+    fixed = {"limit_V": (cut.limit, 0.5 * width, "V")}
+    return _addition(rig, "clipping", gain, fixed, "a limit at which the readings stop", limit=cut.limit), cut.limit
+
+
+def _dropouts(recordings: Sequence[Recording], rig: Rig, lost: Sequence[Sequence[Gap]]) -> Addition | None:
+    """Return moments at one level between two jumps.
+
+    A jump of so many standard deviations has, in Student's distribution, ``(nu + 1) / 2 ln(1 + z^2 / nu)`` nats less
+    than a usual step; a dropout has two. Every third moment is held out.
+    """
+    cut = dropouts_of([*zip(recordings, lost, strict=True)])
+    if cut is None:
+        return None
+    gain = (_TAIL + 1) * log(1 + _JUMP**2 / _TAIL) * max(cut.count // 3, 1)
+    if gain + _LOG_ODDS < LEAST:
+        return None
+    sample = 1e3 / recordings[0].sample_rate
+    lengths = [sample * (stop - start) for own in lost for start, stop, _ in own]
+    rate, half = 60 * cut.rate, max(_TWO_SIDED * float(np.std(lengths)) / sqrt(cut.count), sample)
+    return _addition(
+        rig, "signal_dropout", gain,
+        {"duration_ms": (1e3 * cut.duration, half, "ms"),
+         "rate_per_minute": (rate, _TWO_SIDED * rate / sqrt(cut.count), "1/min")},
+        f"{cut.count} moments without a signal", duration=cut.duration, rate=cut.rate, level=cut.level,
+    )  # fmt: skip
+
+
+def _addition(
+    rig: Rig, mechanism: str, gain: float, fixed: dict[str, tuple[float, float, str]], label: str, **values: float
+) -> Addition:
+    classes = {"quantization": "Quantization", "clipping": "Clipping", "signal_dropout": "SignalDropout"}
+    part: Part = getattr(mechanisms, classes[mechanism])(name=free_name(rig, mechanism), **values)
+    return Addition(mechanism=mechanism, parts=(part,), log_odds=_LOG_ODDS + gain, fixed=fixed, label=label)
+
+
+def _held_out(recording: Recording) -> NDArray[np.float64]:
+    """Return the samples of every third part of a recording [V]."""
+    parts = np.array_split(recording.torque_values(), _PARTS)
+    return np.concatenate([each for index, each in enumerate(parts) if index % 3 == 1])
