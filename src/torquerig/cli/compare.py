@@ -33,7 +33,7 @@ from torquerig.reporting.json_results.values import Missing
 from torquerig.reporting.matrix.files import write_matrix
 from torquerig.reporting.pdf import check_pdf_printer, write_pdf
 from torquerig.reporting.study.report import write_study_report
-from torquerig.reporting.study.text import ranked_text, shares_text
+from torquerig.reporting.study.text import ranked_text, shares_text, sweep_text
 from torquerig.scenario.overrides import overridden
 from torquerig.study.as_matrix import as_matrix
 from torquerig.study.candidates import left_out_gearboxes
@@ -43,6 +43,7 @@ from torquerig.study.operating_points import Point, points_of
 from torquerig.study.results import StudyRuns
 from torquerig.study.run_study import run_study
 from torquerig.study.scoring import Decided, decide
+from torquerig.study.sweep import SweptPoint, sweep, sweep_axes
 from torquerig.study.trace import check_traced, traced_cell
 from torquerig.study.verdict import Verdict, verdict
 from torquerig.study.what_if import Change, changes
@@ -54,6 +55,8 @@ from torquerig.whole_file import refuse_unwritable
 @click.option("--out", type=click.Path(path_type=Path), default=None,
               help="Folder of the report; default reports/NAME-OF-SCENARIO.")  # fmt: skip
 @click.option("--all-points", is_flag=True, help="Write one report for each occupancy and particle size of the study.")
+@click.option("--sweep", "sweeps", multiple=True, metavar="PATH=V1,V2,...",
+              help="Also compute the study at these values; they become a slider of the page; repeatable.")  # fmt: skip
 @click.option(
     "--trace", "traced", nargs=2, multiple=True, metavar="DRIVE CRITERION",
     help="Also show how this cell was computed: a criterion of 'DRIVE | FILTER', or a requirement on DRIVE; "
@@ -71,8 +74,8 @@ from torquerig.whole_file import refuse_unwritable
 @catalog_option
 @json_option("compare", reads=("scenario",))
 def command(
-    *, scenario: Path, out: Path | None, all_points: bool, workers: int | None, settings: tuple[str, ...],
-    catalogs: tuple[Path, ...], traced: tuple[tuple[str, str], ...],
+    *, scenario: Path, out: Path | None, all_points: bool, sweeps: tuple[str, ...], workers: int | None,
+    settings: tuple[str, ...], catalogs: tuple[Path, ...], traced: tuple[tuple[str, str], ...],
     matrices: tuple[Path, ...], force: bool, pdf: bool, cache: Path | None, no_cache: bool,
 ) -> CompareResult | ComparePointsResult:  # fmt: skip
     """Simulate every motor x gearbox x filter of SCENARIO, rank them, and write a report.
@@ -94,32 +97,34 @@ def command(
         check_target(path, force=force)
     if pdf:
         check_pdf_printer()
-    if all_points and (traced or matrices or pdf):
-        raise InputError("--trace, --matrix and --pdf need one study; remove --all-points")
+    axes = sweep_axes(study.document, sweeps)
+    if all_points and (traced or matrices or pdf or sweeps):
+        raise InputError("--trace, --matrix, --sweep and --pdf need one study; remove --all-points")
     with kept_results(cache, no_cache=no_cache) as kept:
         run = partial(_run, workers=workers, kept=kept)
         if all_points:
             return _compare_points(study, folder, run)
+        swept = sweep(study.document, study.catalog, axes, run=run)
         runs = run(study, "edited study" if settings else "study")
         found: tuple[Change, ...] = ()
         if settings:
             original = run(open_study(document, study.catalog), "original study")
             found = changes(original, runs)
-        decided, answer = _print_ranking(runs)
+        decided, answer = _print_ranking(runs, swept)
         _print_changes(found, settings, unit=study.effort_unit)
         for pair in traced:
             click.echo("\n" + trace_text(traced_cell(decided, answer, *pair)))
         for path in matrices:
             write_matrix(analyse_matrix(as_matrix(decided, name=scenario.stem, seed=study.settings.seed)), path)
             click.echo(f"wrote {path}", err=True)
-        written = write_study_report(runs, decided, answer, folder, changes=found or None, edits=settings)
+        written = write_study_report(runs, decided, answer, folder, changes=found or None, edits=settings, swept=swept)
     if pdf:
         written.append(written[0].with_suffix(".pdf"))
         write_pdf(written[0], written[-1])
     click.echo(f"\nreport: {written[0]}\n")
     click.echo("\n".join(wrapped(sentence) for sentence in answer.answer.sentences))
     return compare_result(
-        runs, decided, answer, changes=found, notes=_notes(runs), written=named([*matrices, *written])
+        runs, decided, answer, changes=found, notes=_notes(runs), written=named([*matrices, *written]), swept=swept
     )
 
 
@@ -132,7 +137,7 @@ def _run(study: Study, title: str, *, workers: int | None, kept: KeptResults | N
     return runs
 
 
-def _print_ranking(runs: StudyRuns) -> tuple[Decided, Verdict]:
+def _print_ranking(runs: StudyRuns, swept: tuple[SweptPoint, ...]) -> tuple[Decided, Verdict]:
     decided = decide(runs)
     answer = verdict(decided)
     click.echo(ranked_text(decided) + "\n")
@@ -143,6 +148,8 @@ def _print_ranking(runs: StudyRuns) -> tuple[Decided, Verdict]:
             click.echo(wrapped(f"{one.drive} ({one.decision}): {'; '.join(one.reasons)}"))
     for note in _notes(runs):
         click.echo("\n" + wrapped(note))
+    if swept:
+        click.echo("\n" + sweep_text(swept))
     return decided, answer
 
 

@@ -135,6 +135,7 @@ class Settings(_Section):
     """Everything under ``study:``.
 
     Without ``gearboxes`` the stages stay as the rig states them, without ``motors`` the motor stays the present one.
+    ``sweep`` lists values of quantities of the scenario, by path, that the study is computed at too.
     """
 
     duration: Annotated[float, Parameter("s", "length of a run", above=0)] = 10.0
@@ -149,8 +150,19 @@ class Settings(_Section):
     speed_loop: SpeedLoopRule
     sensor_limit: Annotated[float, Parameter("N*m", "largest torque at the sensor", above=0)]
     all_points: AllPoints | None = None
+    sweep: dict[str, tuple[int | float | str, ...]] = Field(default_factory=dict)
     requirements: dict[str, RequirementRow]
     criteria: dict[str, CriterionRow] = Field(min_length=1)
+
+    @field_validator("sweep")
+    @classmethod
+    def _several_values(
+        cls, sweep: dict[str, tuple[int | float | str, ...]]
+    ) -> dict[str, tuple[int | float | str, ...]]:
+        for path, values in sweep.items():
+            if len(set(values)) < max(len(values), 2):
+                raise ValueError(f"{path} needs two or more values, each once, such as [5 %, 11 %, 21 %]")
+        return sweep
 
     @field_validator("motors", "gearboxes")
     @classmethod

@@ -9,6 +9,7 @@ run_study   all drives on all cores               results     of all drives and 
 criteria    requirements and criteria             scoring     figures -> three matrices
 reference_report/    the reference report's results compared with the simulated rig
 verdict     the best one and its confidence       what_if     effect of an edit
+sweep       the study at several values of quantities of its scenario
 rated_drives  drives, each with its best filter, for the verdict
 as_matrix   a study as a decision matrix file
 origins     catalog values behind a figure        trace       calculation of every cell

@@ -12,6 +12,7 @@ from torquerig.reporting.json_results.figures import FigureResult, figure_result
 from torquerig.reporting.json_results.values import Missing, Quantity
 from torquerig.study.results import DriveResult, StudyRuns
 from torquerig.study.scoring import Decided
+from torquerig.study.sweep import SweptPoint, least_error
 from torquerig.study.verdict import Verdict
 from torquerig.study.what_if import Change
 
@@ -82,6 +83,25 @@ class ChangeResult:
 
 
 @dataclass(frozen=True)
+class DriveAtPoint:
+    """A drive at a point of a sweep: its filter with the least reading error."""
+
+    drive: str
+    filter: str
+    reading_error: Quantity
+
+
+@dataclass(frozen=True)
+class SweptPointResult:
+    """A computed point of a sweep: the values as the scenario states them, the winner, every simulated drive."""
+
+    values: Mapping[str, str]
+    winner: str
+    certainty: str
+    drives: tuple[DriveAtPoint, ...]
+
+
+@dataclass(frozen=True)
 class CompareResult:
     """A study: its verdict, ranking and eliminated drives, and the files that were written."""
 
@@ -94,6 +114,7 @@ class CompareResult:
     changes: tuple[ChangeResult, ...]
     notes: tuple[str, ...]
     written: tuple[str, ...]
+    sweep: tuple[SweptPointResult, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -120,7 +141,7 @@ class ComparePointsResult:
 
 def compare_result(
     runs: StudyRuns, decided: Decided, answer: Verdict, *, changes: Sequence[Change], notes: Sequence[str],
-    written: Sequence[str],
+    written: Sequence[str], swept: Sequence[SweptPoint] = (),
 ) -> CompareResult:  # fmt: skip
     """Return the result of a study."""
     study = runs.study
@@ -137,7 +158,17 @@ def compare_result(
         changes=tuple(_change(one, study.effort_unit) for one in changes),
         notes=tuple(notes),
         written=tuple(written),
+        sweep=tuple(_swept(one) for one in swept),
     )  # fmt: skip
+
+
+def _swept(point: SweptPoint) -> SweptPointResult:
+    drives = []
+    for one in point.runs.drives:
+        found = least_error(one)
+        if found is not None:
+            drives.append(DriveAtPoint(one.candidate.name, found[0], Quantity(found[1], one.disturbance.unit)))
+    return SweptPointResult(dict(point.values), point.verdict.winner, str(point.verdict.certainty), tuple(drives))
 
 
 def not_ranked(runs: StudyRuns, decided: Decided) -> tuple[NotRankedDrive, ...]:

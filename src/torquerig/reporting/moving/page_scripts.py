@@ -12,7 +12,7 @@ from markupsafe import Markup
 from torquerig.harmless import harmless
 
 PLOTS = ("pyramid.js", "plots.js")
-MATRICES = ("matrix_engine.js", "matrix_controls.js", "matrix_tables.js")
+MATRICES = ("matrix_engine.js", "matrix_controls.js", "matrix_tables.js", "sweep.js")
 FIRST, PAGE = ("elements.js",), ("tables.js", "page.js")
 
 

@@ -8,19 +8,20 @@ from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 from torquerig.reporting.html import html
-from torquerig.reporting.moving.matrix_model import study_model
 from torquerig.reporting.moving.page_scripts import data_script, page_scripts
 from torquerig.reporting.study import answers, chapters, pictures, tables
 from torquerig.reporting.study.budget_table import TONES, budget_table, sure_sentences
+from torquerig.reporting.study.sweep_chapter import matrix_model_of, sweep_chapter
 from torquerig.reporting.study.trace_tables import drive_tables, functions_table
 from torquerig.study.answer.uncertainty_budget import uncertainty_budget
 from torquerig.study.load_randomness import load_randomness
-from torquerig.study.scoring import Decided, combinations, criteria_matrix
 from torquerig.study.trace import traced_drives
 
 if TYPE_CHECKING:
     from torquerig.reporting.figures.picture import Picture
     from torquerig.study.results import DriveResult, StudyRuns
+    from torquerig.study.scoring import Decided
+    from torquerig.study.sweep import SweptPoint
     from torquerig.study.verdict import Verdict
     from torquerig.study.what_if import Change
 
@@ -30,7 +31,7 @@ RANKED = 15  # combinations in the first table; combinations.csv has all
 
 def study_page(
     runs: StudyRuns, decided: Decided, verdict: Verdict, *, changes: Sequence[Change] = (), edits: Sequence[str] = (),
-    files: Mapping[str, bytes] | None = None,
+    files: Mapping[str, bytes] | None = None, swept: Sequence[SweptPoint] = (),
 ) -> str:  # fmt: skip
     """Return the HTML of a study's page: all figures, scripts and data inside, no request to anywhere.
 
@@ -38,12 +39,14 @@ def study_page(
     ----------
     files : mapping of str to bytes, optional
         Files that the page offers to save, by name; they are written into it, so that it can be mailed alone.
+    swept : sequence of SweptPoint
+        Computed points of a sweep; they get a chapter with sliders.
     """
     content = {
         **_answers(runs, decided, verdict, edits),
         **_first_screen(runs, decided, verdict),
         "files": tuple((name, _address(name, data)) for name, data in (files or {}).items()),
-        "matrix_data": data_script("data-matrix", _matrix_data(runs, decided)),
+        "matrix_data": data_script("data-matrix", matrix_model_of(runs, decided)),
         "scripts": page_scripts(),
         **_found(runs, decided, verdict),
         **_readings(runs, decided, verdict),
@@ -51,6 +54,7 @@ def study_page(
         "functions": functions_table(decided),
         "traced": drive_tables(traced_drives(decided, verdict)),
         "changes": tables.changes_table(changes) if changes else None,
+        "sweep": sweep_chapter(swept),
     }
     return html("study.html", content)
 
@@ -58,12 +62,6 @@ def study_page(
 def _address(name: str, data: bytes) -> str:
     kind = "text/csv" if name.endswith(".csv") else "application/octet-stream"
     return f"data:{kind};base64,{b64encode(data).decode()}"
-
-
-def _matrix_data(runs: StudyRuns, decided: Decided) -> Mapping[str, Any]:
-    made = combinations(runs)
-    drive_of = {one.name: one.drive.candidate.name for one in made}
-    return study_model(decided.requirements, criteria_matrix(runs, made), baseline=decided.baseline, drive_of=drive_of)
 
 
 def _first_screen(runs: StudyRuns, decided: Decided, verdict: Verdict) -> Mapping[str, Any]:

@@ -11,10 +11,12 @@ from torquerig.reporting.layout import figure_text, plain
 from torquerig.reporting.study.answers import narrow_loops
 from torquerig.reporting.study.tables import decision_words, effort_text
 from torquerig.study.load_randomness import load_randomness
+from torquerig.study.sweep import least_error
 
 if TYPE_CHECKING:
     from torquerig.study.results import StudyRuns
     from torquerig.study.scoring import Decided
+    from torquerig.study.sweep import SweptPoint
 
 WIDTH = 110
 
@@ -54,6 +56,23 @@ def ranked_text(decided: Decided, *, most: int = 10) -> str:
     ]
     below = [wrapped(line) for line in error if line]
     return "\n".join([_fitted([head, *rows], left=(1, 2, 7)), f"* {note}", *below])
+
+
+def sweep_text(swept: Sequence[SweptPoint], *, most: int = 12) -> str:
+    """Return winner and reading error of the ``most`` best drives at each computed point of a sweep."""
+    found = [{one.candidate.name: least_error(one) for one in point.runs.drives} for point in swept]
+    known = {name for point in found for name, error in point.items() if error is not None}
+    names = sorted(known, key=lambda name: min(point[name][1] for point in found if point.get(name)))  # type: ignore[index]
+    unit = effort_text(swept[0].runs.drives[0])
+    rows = [[f"error [{unit}], best filter", *(", ".join(one.values.values()) for one in swept)]]
+    for name in names[:most]:
+        errors = [point.get(name) for point in found]
+        rows.append([name, *("-" if one is None else f"{one[1]:.4f}" for one in errors)])
+    winners = "; ".join(f"{one.text}: {one.verdict.winner or 'none'}" for one in swept)
+    return (
+        f"Sweep of {', '.join(swept[0].values)}, {len(swept)} computed points, nothing interpolated:\n"
+        f"{_fitted(rows, left=(0,))}\n{wrapped(f'First at each point: {winners}.')}"
+    )
 
 
 def shares_text(runs: StudyRuns) -> str:

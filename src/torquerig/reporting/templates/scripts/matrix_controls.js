@@ -76,11 +76,11 @@ function limitRow(model, at, changed) {
 function startMatrices() {
   const host = document.getElementById("matrix-controls");
   if (!host) return;
-  const stated = solveMatrices(readMatrix()), state = { model: readMatrix() };
+  const state = { model: readMatrix(), data: MATRIX_DATA, stated: solveMatrices(readMatrix()) };
   const render = () => {
     const solved = solveMatrices(state.model);
     if (solved.overall === null) return "all weights are 0; give at least one criterion a weight above 0";
-    showMatrices(state.model, solved, stated);
+    showMatrices(state.model, solved, state.stated);
     return "";
   };
   const changed = (edit) => {
@@ -99,14 +99,26 @@ function startMatrices() {
     ];
     host.replaceChildren(
       ...groups.filter(([, rows]) => rows.some(Boolean)).map(([title, rows]) => element("fieldset", {}, element("legend", { text: title }), ...rows)),
-      element("button", { type: "button", id: "matrix-reset", text: "Back to the stated values", onclick: () => { state.model = readMatrix(); build(); render(); } }),
+      element("button", { type: "button", id: "matrix-reset", text: "Back to the stated values", onclick: () => { state.model = readMatrix(state.data); build(); render(); } }),
     );
   };
   build();
   render();
-  window.torquerigMatrices = { state, changed, render };
+  // The results of another point of a sweep; weights, limits and points stay as they are set.
+  const use = (data, text) => {
+    const { criteria, requirements } = state.model, model = readMatrix(data);
+    model.criteria.forEach((one, at) => Object.assign(one, { weight: criteria[at].weight, knots: criteria[at].knots }));
+    model.requirements.forEach((one, at) => Object.assign(one, { low: requirements[at].low, high: requirements[at].high }));
+    Object.assign(state, { model, data, stated: solveMatrices(readMatrix(data)) });
+    build();
+    render();
+    document.getElementById("matrix-point").textContent = `Results at ${text}, the point of the sweep.`;
+  };
+  window.torquerigMatrices = { state, changed, render, use };
 }
 
-function readMatrix() {
-  return JSON.parse(document.getElementById("data-matrix").textContent);
+const MATRIX_DATA = "data-matrix";
+
+function readMatrix(id = MATRIX_DATA) {
+  return JSON.parse(document.getElementById(id).textContent);
 }

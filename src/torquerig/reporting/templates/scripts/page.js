@@ -50,6 +50,7 @@ function openTarget() {
 function startPage() {
   startTables();
   if (typeof startMatrices === "function") startMatrices();
+  if (typeof startSweep === "function") startSweep();
   if (typeof startPlots === "function") startPlots();
   for (const figure of document.querySelectorAll("figure")) {
     for (const button of figure.querySelectorAll("[data-save]")) button.addEventListener("click", () => savePicture(figure, button.dataset.save));

@@ -2,6 +2,7 @@
 // Curves with up to some million samples: lowest and highest sample of blocks of several sizes, so that no view loses a peak.
 
 const FIRST_BLOCK = 4, NEXT_BLOCK = 2; // samples of the smallest block; blocks of each level in one of the next
+const CROWDED = 40; // strokes over the whole height on a page's width: one in some 30 pixels
 const DRAWN_AS_IS = 3; // samples a column of pixels up to which the samples themselves are drawn
 
 async function unpackCurve(curve) {
@@ -50,7 +51,7 @@ function makePyramid(curve) {
 }
 
 // The part from x `from` to x `to` as at most 1.5 points a pixel of `columns` pairs of pixels: the samples themselves, or of
-// each block its lowest and its highest sample. `crowded`: so many that neighbours touch.
+// each block its lowest and its highest sample. `crowded`: up and down so often that strokes touch.
 function pyramidView(pyramid, from, to, columns) {
   const { start, step, values } = pyramid.curve;
   const first = Math.max(Math.floor((from - start) / step) - 1, 0);
@@ -59,7 +60,8 @@ function pyramidView(pyramid, from, to, columns) {
   const level = pyramid.levels.find((one) => samples / one.block <= columns) || pyramid.levels[pyramid.levels.length - 1];
   if (samples <= DRAWN_AS_IS * columns || !level) {
     const x = new Float64Array(samples).map((_, at) => start + (first + at) * step);
-    return { x, y: values.slice(first, last + 1), crowded: samples > columns / 2 };
+    const y = values.subarray(first, last + 1);
+    return { x, y, crowded: strokes(y) > CROWDED };
   }
   const begin = Math.floor(first / level.block), end = Math.floor(last / level.block);
   const x = new Float64Array(2 * (end - begin + 1)), y = new Float64Array(x.length);
@@ -70,5 +72,17 @@ function pyramidView(pyramid, from, to, columns) {
     add(Math.min(low, high));
     if (low !== high) add(Math.max(low, high));
   }
-  return { x: x.subarray(0, count), y: y.subarray(0, count), crowded: true };
+  const shown = y.subarray(0, count);
+  return { x: x.subarray(0, count), y: shown, crowded: strokes(shown) > CROWDED };
+}
+
+// How often a curve runs over its whole height.
+function strokes(y) {
+  let way = 0, low = y[0], high = y[0];
+  for (let at = 1; at < y.length; at += 1) {
+    way += Math.abs(y[at] - y[at - 1]);
+    if (y[at] < low) low = y[at];
+    if (y[at] > high) high = y[at];
+  }
+  return high > low ? way / (high - low) : 0;
 }
