@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from torquerig.diagnosis.looking.places import Place
-from torquerig.inference.adequacy import LEVEL_OF_TEST, Excess, excesses
+from torquerig.inference.adequacy import Excess
 from torquerig.inference.answer.numbers import digits
+from torquerig.inference.answer.significant import significant
 from torquerig.inference.engine import Outcome
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.fit import all_residuals
@@ -28,7 +29,11 @@ def differences(outcome: Outcome) -> list[dict[str, Any]]:
     found = {line.place: exp(line.log_p) for line in outcome.found}
     rows = [_of_line(outcome.data.seen, runs, place, p_value=found.get(place)) for place in places]
     if len(places) < len(outcome.model.additions):  # some have no place: a level, a band
-        rows += [_of_excess(outcome.data.seen, runs, each) for each in _largest(excesses(runs)) if each.kind != LINE]
+        rows += [
+            _of_excess(outcome.data.seen, runs, each)
+            for each in _largest(significant(outcome, fit))
+            if each.kind != LINE
+        ]
     return sorted(rows, key=lambda row: -row["share_of_misfit"])
 
 
@@ -36,14 +41,14 @@ def remaining(outcome: Outcome) -> list[dict[str, Any]]:
     """Return where the completed model still differs."""
     fit = outcome.model.fit
     runs = all_residuals(outcome.data, fit.expected, fit.gains, fit.off)
-    return [_of_excess(outcome.data.seen, runs, each) for each in _largest(excesses(runs))]
+    return [_of_excess(outcome.data.seen, runs, each) for each in _largest(significant(outcome, fit))]
 
 
 def _largest(found: Sequence[Excess]) -> Iterator[Excess]:
-    """Yield what is significant, once for each kind of feature."""
+    """Yield the first of each kind of feature."""
     kinds = set[int]()
     for each in found:
-        if each.p_value < LEVEL_OF_TEST and each.kind not in kinds:
+        if each.kind not in kinds:
             kinds.add(each.kind)
             yield each
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from torquerig.inference.addition import Addition
-from torquerig.inference.adequacy import LEVEL_OF_TEST, excesses
 from torquerig.inference.answer.confidence import far_numbers, named, nameless
+from torquerig.inference.answer.significant import significant
 from torquerig.inference.answer.sizes import relevance, size, without
 from torquerig.inference.engine import Outcome
-from torquerig.inference.fit import all_residuals
 from torquerig.inference.prediction.expected_run import expected_run
 
 
@@ -31,6 +31,6 @@ def is_minor(outcome: Outcome, each: Addition) -> bool:
 def explains(outcome: Outcome, less: Sequence[Addition]) -> bool:
     """Return whether the completed model without some additions passes the test of adequacy."""
     fit, rig = outcome.model.fit, without(outcome.completed, less)
-    expected = [expected_run(rig, seen) for seen in outcome.data.seen] if less else fit.expected
-    found = excesses(all_residuals(outcome.data, expected, fit.gains, fit.off))
-    return all(each.p_value >= LEVEL_OF_TEST for each in found)
+    if less:
+        fit = replace(fit, expected=tuple(expected_run(rig, seen) for seen in outcome.data.seen))
+    return not significant(outcome, fit)
