@@ -8,7 +8,8 @@ from proof.page.cells import percent
 from proof.page.figures import reliability_figure
 from proof.scoring.summary import Summary
 from proof.scoring.trial import Trial
-from torquerig.reporting.figures.picture import Picture, picture
+from torquerig.reporting.figures.page_picture import Picture
+from torquerig.reporting.figures.picture import picture
 from torquerig.reporting.layout import Table, number, words
 from torquerig.reporting.matrix.chapters import Chapter
 

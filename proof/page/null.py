@@ -12,7 +12,8 @@ from proof.page.figures import gains_figure
 from proof.thresholds import FALSE_ALARM, FEWEST, Threshold, best_gains
 from torquerig.diagnosis.choosing.trial import LEAST_GAIN
 from torquerig.diagnosis.judging.share_explained import LEAST_SHARE
-from torquerig.reporting.figures.picture import Picture, picture
+from torquerig.reporting.figures.page_picture import Picture
+from torquerig.reporting.figures.picture import picture
 from torquerig.reporting.layout import Table, number, words
 from torquerig.reporting.matrix.chapters import Chapter
 

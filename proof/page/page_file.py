@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from torquerig.reporting.figures.picture import Picture
+from torquerig.reporting.figures.page_picture import Picture
 from torquerig.reporting.html import html
 from torquerig.reporting.matrix.chapters import Chapter
 from torquerig.reporting.matrix.markdown import escaped, table_text

@@ -6,11 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
-from pickle import UnpicklingError
 from typing import TYPE_CHECKING, Any
 
 from torquerig.cases.content import content_digest
-from torquerig.cases.kept_values import bytes_of, value_of
+from torquerig.cases.kept_values import bytes_of, read_value
 from torquerig.study.settings import metrics_of
 
 if TYPE_CHECKING:
@@ -51,7 +50,7 @@ class KeptStudy:
 
     def candidates(self) -> tuple[Candidate, ...] | None:
         """Return the drives of the study; None where they are not kept."""
-        found: tuple[Candidate, ...] | None = self.read(self._candidates_key, CLASSES)
+        found: tuple[Candidate, ...] | None = read_value(self.results, self._candidates_key, CLASSES)
         return found
 
     def keep_candidates(self, listed: Sequence[Candidate]) -> None:
@@ -70,7 +69,7 @@ class KeptStudy:
 
     def point(self, listed: Sequence[Candidate]) -> Point | None:
         """Return the operating point of the study; None where it is not kept."""
-        found: Point | None = self.read(self._point_key(listed), CLASSES)
+        found: Point | None = read_value(self.results, self._point_key(listed), CLASSES)
         return found
 
     def keep_point(self, listed: Sequence[Candidate], point: Point) -> None:
@@ -83,16 +82,8 @@ class KeptStudy:
         entries = [repr(catalog.motor(candidate.motor)), repr(catalog.gearboxes.get(stage))]
         return self.results.key("drive", self._shared, candidate, entries)
 
-    def read(self, key: str, classes: frozenset[str]) -> Any:
-        """Return a kept value that is made of these classes; None where there is none."""
-        content = self.results.get(key)
-        try:
-            return None if content is None else value_of(content, classes)
-        except (UnpicklingError, AttributeError, EOFError, ImportError, IndexError, TypeError):
-            return None  # its digest is right, so that another program has written it: it is computed and written again
-
     def _row(self, candidate: Candidate) -> DriveResult | None:
-        found: DriveResult | None = self.read(self.row_key(candidate), CLASSES)
+        found: DriveResult | None = read_value(self.results, self.row_key(candidate), CLASSES)
         if found is None or not found.duration:
             return found
         return replace(found, simulated=partial(_first_recording, candidate, self.study))

@@ -20,7 +20,8 @@ from torquerig.reporting.diagnosis.motion_position_figure import motion_position
 from torquerig.reporting.diagnosis.motion_residual_figure import MOST, motion_residual_figure
 from torquerig.reporting.diagnosis.motion_speed_figure import motion_speed_figure
 from torquerig.reporting.diagnosis.motion_window_figure import motion_window_figure
-from torquerig.reporting.figures.picture import Picture, picture
+from torquerig.reporting.figures.page_picture import Picture
+from torquerig.reporting.figures.picture import picture
 
 _FEW = (
     "No spectrum of the residual. The held-out motion at constant speed is too short in time or travel to resolve "

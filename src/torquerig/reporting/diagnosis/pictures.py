@@ -13,7 +13,8 @@ from torquerig.reporting.diagnosis.residual_figure import diagnosis_residual_fig
 from torquerig.reporting.diagnosis.slow_torque_figure import slow_torque_figure
 from torquerig.reporting.diagnosis.spectrum_figure import diagnosis_spectrum_figure
 from torquerig.reporting.diagnosis.window_figure import diagnosis_window_figure
-from torquerig.reporting.figures.picture import Picture, picture
+from torquerig.reporting.figures.page_picture import Picture
+from torquerig.reporting.figures.picture import picture
 from torquerig.scenario.kinematics import kinematics_of
 
 

@@ -9,7 +9,7 @@ from typing import Any
 from torquerig.diagnosis.outcome import Diagnosis, Finding, HeldOut, Mismatch
 from torquerig.reporting.diagnosis.sentences import WORDS, ResidualMeasure, mechanism_text, verdict_sentence
 from torquerig.reporting.diagnosis.tables import parameters_table
-from torquerig.reporting.figures.picture import Picture
+from torquerig.reporting.figures.page_picture import Picture
 from torquerig.reporting.html import html
 from torquerig.reporting.layout import Table, plain
 from torquerig.reporting.moving.page_scripts import page_scripts

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from base64 import b64encode
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import partial
 from io import BytesIO
 from pathlib import Path
@@ -19,6 +18,7 @@ from matplotlib.ticker import FixedFormatter, Formatter, FuncFormatter
 
 from torquerig.errors import InputError
 from torquerig.harmless import harmless
+from torquerig.reporting.figures.page_picture import Picture, plot_name
 from torquerig.reporting.moving.page_scripts import csv_script, data_script
 from torquerig.whole_file import refuse_unwritable, whole_file
 
@@ -29,33 +29,6 @@ STYLE: dict[Any, Any] = {
     "font.size": 9.0,
     "path.simplify": True,
 }
-
-
-@dataclass(frozen=True, kw_only=True)
-class Picture:
-    """An image of a page.
-
-    Parameters
-    ----------
-    source : str
-        All of the image as an address.
-    caption, alt_text : str
-        The text below it, and its text alternative.
-    name : str
-        Name of its files, and of its place on the page.
-    csv : str
-        Script element with its data as CSV text; empty where it has a plot, or no numbers.
-    plot, data : str
-        Name of the element of its plot that moves, and script element with the plot; empty where none is.
-    """
-
-    source: str
-    caption: str
-    alt_text: str
-    name: str = ""
-    csv: str = ""
-    plot: str = ""
-    data: str = ""
 
 
 class NotebookFigure(Figure):
@@ -92,11 +65,6 @@ def picture(
         csv=csv_script(csv) if csv else "", plot=plot_name(name) if plot else "",
         data=data_script(f"data-{plot_name(name)}", plot) if plot else "",
     )  # fmt: skip
-
-
-def plot_name(name: str) -> str:
-    """Return the name of the page's element for the plot of a picture."""
-    return f"plot-{name}"
 
 
 def write_picture(figure: Figure, path: Path, *, overwrite: bool = False) -> None:

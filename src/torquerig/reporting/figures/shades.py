@@ -5,6 +5,8 @@ from __future__ import annotations
 WORSE, BETTER = (245, 184, 115), (125, 181, 224)
 """sRGB, 0 to 255: pale tones of orange and blue of Okabe and Ito; black text on both has a contrast above 9."""
 GOOD_IS_LOW, GOOD_IS_HIGH = "low", "high"
+SHARES = {"load": "#b8c4cf", "cogging": "#e69f00", "electrical": "#0072b2", "mechanical": "#5b4a8a"}
+"""The colour of each share of a reading."""
 MARKS = {"+": "#cfe3f4", "-": "#fbdcbc", "?": "#fdf0c4", "!": "#e6d9f2", "S": "#eceff1"}
 """Background of the signs of the matrices."""
 

@@ -8,10 +8,8 @@ from matplotlib.figure import Figure
 
 from torquerig.reporting.figures.effort import shown_unit
 from torquerig.reporting.figures.picture import new_figure
+from torquerig.reporting.figures.shades import SHARES
 from torquerig.study.results import DriveResult
-
-SHARES = {"load": "#b8c4cf", "cogging": "#e69f00", "electrical": "#0072b2", "mechanical": "#5b4a8a"}
-"""The colour of each share."""
 
 
 def shares_figure(drives: Sequence[DriveResult]) -> Figure:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from torquerig.decide.eliminate import Decision
-from torquerig.reporting.figures.shares_figure import SHARES
+from torquerig.reporting.figures.shades import SHARES
 from torquerig.reporting.json_results.figures import FigureResult, figure_result
 from torquerig.reporting.json_results.values import Missing, Quantity
 from torquerig.study.results import DriveResult, StudyRuns

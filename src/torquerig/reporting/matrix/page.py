@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from torquerig.decide.matrix_analysis import MatrixAnalysis
-from torquerig.reporting.figures.picture import Picture, picture
+from torquerig.reporting.figures.page_picture import Picture
+from torquerig.reporting.figures.picture import picture
 from torquerig.reporting.html import html
 from torquerig.reporting.matrix.answer import matrix_answer
 from torquerig.reporting.matrix.chapters import chapters, trace_anchor

@@ -15,7 +15,8 @@ from torquerig.recordings.spectrum import amplitude_spectrum
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.evaluation_figure import four_panels
 from torquerig.reporting.figures.families import COLOURS
-from torquerig.reporting.figures.picture import Picture, new_figure, picture
+from torquerig.reporting.figures.page_picture import Picture
+from torquerig.reporting.figures.picture import new_figure, picture
 from torquerig.reporting.figures.signal_figure import signal_figure
 from torquerig.reporting.figures.spectrum_figure import AFTER, spectrum_figure
 from torquerig.study.reference_report.filter_steps import report_filter_steps

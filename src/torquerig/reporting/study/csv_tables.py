@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from torquerig.harmless import csv_cell
 from torquerig.metrics.figure import Figure
-from torquerig.reporting.figures.shares_figure import SHARES
+from torquerig.reporting.figures.shades import SHARES
 from torquerig.reporting.study.tables import decision_words
 
 if TYPE_CHECKING:

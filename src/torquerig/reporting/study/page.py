@@ -9,23 +9,22 @@ from typing import TYPE_CHECKING, Any
 
 from torquerig.reporting.html import html
 from torquerig.reporting.moving.page_scripts import data_script, page_scripts
-from torquerig.reporting.study import answers, chapters, pictures, tables
+from torquerig.reporting.study import answers, chapters, kept_pictures, tables
 from torquerig.reporting.study.budget_table import TONES, budget_table, sure_sentences
 from torquerig.reporting.study.sweep_chapter import matrix_model_of, sweep_chapter
 from torquerig.reporting.study.trace_tables import drive_tables, functions_table
-from torquerig.study.answer.uncertainty_budget import uncertainty_budget
+from torquerig.study.answer.kept_budget import kept_budget
 from torquerig.study.load_randomness import load_randomness
 from torquerig.study.trace import traced_drives
 
 if TYPE_CHECKING:
-    from torquerig.reporting.figures.picture import Picture
+    from torquerig.reporting.figures.page_picture import Picture
     from torquerig.study.results import DriveResult, StudyRuns
     from torquerig.study.scoring import Decided
     from torquerig.study.sweep import SweptPoint
     from torquerig.study.verdict import Verdict
     from torquerig.study.what_if import Change
 
-MOST_SAMPLES = 500_000  # of the second recording of the page; longer ones have a fixed picture
 RANKED = 15  # combinations in the first table; combinations.csv has all
 
 
@@ -50,7 +49,7 @@ def study_page(
         "scripts": page_scripts(),
         **_found(runs, decided, verdict),
         **_readings(runs, decided, verdict),
-        **_matrices(decided, verdict),
+        **_matrices(runs, decided, verdict),
         "functions": functions_table(decided),
         "traced": drive_tables(traced_drives(decided, verdict)),
         "changes": tables.changes_table(changes) if changes else None,
@@ -67,12 +66,11 @@ def _address(name: str, data: bytes) -> str:
 def _first_screen(runs: StudyRuns, decided: Decided, verdict: Verdict) -> Mapping[str, Any]:
     answer = verdict.answer
     made = decided.alternatives.get(verdict.winner, decided.alternatives[decided.baseline])
-    shown = pictures.filtered(made.drive, made.chain, runs)
-    budget = uncertainty_budget(made.drive, made.chain, runs) if verdict.winner else None
+    budget = kept_budget(made.drive, made.chain, runs) if verdict.winner else None
     return {
         "answer": {"sentences": answer.sentences, "figures": answer.figures,
                    "tone": TONES.get(verdict.certainty, "open")},
-        "first_picture": None if shown is None else pictures.first_picture(shown),
+        "first_picture": kept_pictures.first_picture(made.drive, made.chain, runs),
         "sure": sure_sentences(verdict, budget, load_randomness(runs.drives)),
         "budget": None if budget is None else budget_table(budget),
     }  # fmt: skip
@@ -104,11 +102,11 @@ def _found(runs: StudyRuns, decided: Decided, verdict: Verdict) -> Mapping[str, 
     by_motor = groupby(runs.drives, key=lambda drive: drive.candidate.motor)
     return {
         "ranking": tables.ranking_table(decided, winner=verdict.winner, most=RANKED),
-        "error_picture": pictures.error_picture(runs, present=present),
+        "error_picture": kept_pictures.error_picture(runs, present=present),
         "errors": tables.error_table(runs, present=present),
         "shares": tuple(tables.shares_table(motor, tuple(drives)) for motor, drives in by_motor),
         "load_note": tables.LOAD_NOTE,
-        "shares_picture": pictures.shares_picture(runs),
+        "shares_picture": kept_pictures.shares_picture(runs),
         "out_of_reach": tables.out_of_reach_table(runs),
     }
 
@@ -124,28 +122,21 @@ def _readings(runs: StudyRuns, decided: Decided, verdict: Verdict) -> Mapping[st
         listed.append((newest.drive, newest.chain, "the first new motor of the ranking"))
     readings: list[Picture] = []
     for number, (drive, chain, role) in enumerate(listed, start=1):
-        shown = pictures.filtered(drive, chain, runs)
-        if shown is not None:
-            readings += pictures.reading_pictures(
-                shown, role=role, number=number, with_signal=drive is not first.drive, moves=_fits(shown)
-            )
+        readings += kept_pictures.reading_pictures(
+            drive, chain, runs, role=role, number=number, with_signal=drive is not first.drive
+        )
     return {
         "readings": tuple(readings),
-        "report_filter": pictures.report_filter(present, runs),
+        "report_filter": kept_pictures.report_filter(present, runs),
         "effects": tables.effects_table(present),
     }
 
 
-def _fits(shown: pictures.Filtered) -> bool:
-    """Return whether the page can hold the samples of a second recording and stay below 10 MB."""
-    return shown.before.samples <= MOST_SAMPLES
-
-
-def _matrices(decided: Decided, verdict: Verdict) -> Mapping[str, Any]:
+def _matrices(runs: StudyRuns, decided: Decided, verdict: Verdict) -> Mapping[str, Any]:
     names = tables.best_per_drive(decided)
     return {
         "elimination": chapters.elimination_table(decided.chart, decided.requirements),
         "pugh": chapters.pugh_table(decided, names),
         "kesselring": chapters.kesselring_table(decided, names),
-        "rating_picture": pictures.rating_picture(decided, winner=verdict.winner),
+        "rating_picture": kept_pictures.rating_picture(decided, runs, winner=verdict.winner),
     }

@@ -12,7 +12,8 @@ from torquerig.orders.angle.tacho import recorded_motor_angle
 from torquerig.orders.kinematics.order_report_text import name_of
 from torquerig.reporting.figures.error_figure import error_figure
 from torquerig.reporting.figures.notch_figure import notch_figure
-from torquerig.reporting.figures.picture import Picture, picture, plot_name
+from torquerig.reporting.figures.page_picture import Picture, plot_name
+from torquerig.reporting.figures.picture import picture
 from torquerig.reporting.figures.rating_figure import rating_figure
 from torquerig.reporting.figures.shares_figure import shares_figure
 from torquerig.reporting.figures.signal_figure import signal_figure

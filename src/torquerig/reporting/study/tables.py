@@ -7,8 +7,7 @@ from math import log
 from typing import TYPE_CHECKING
 
 from torquerig.decide.ranks import shown_rank
-from torquerig.reporting.figures.shades import GOOD_IS_HIGH, GOOD_IS_LOW, shade
-from torquerig.reporting.figures.shares_figure import SHARES
+from torquerig.reporting.figures.shades import GOOD_IS_HIGH, GOOD_IS_LOW, SHARES, shade
 from torquerig.reporting.layout import Cell, Table, figure_cell, listed, number, plain, span, words
 
 if TYPE_CHECKING:

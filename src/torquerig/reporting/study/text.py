@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from torquerig.plain_table import cut, grid, wrapped
-from torquerig.reporting.figures.shares_figure import SHARES
+from torquerig.reporting.figures.shades import SHARES
 from torquerig.reporting.layout import figure_text, plain
 from torquerig.reporting.study.answers import narrow_loops
 from torquerig.reporting.study.tables import decision_words, effort_text

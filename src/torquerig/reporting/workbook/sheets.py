@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from torquerig.decide.pugh import PughResult, Sign
 from torquerig.metrics.figure import Figure
-from torquerig.reporting.figures.shares_figure import SHARES
+from torquerig.reporting.figures.shades import SHARES
 from torquerig.reporting.study.answers import assumptions
 from torquerig.reporting.study.chapters import rule_text
 from torquerig.reporting.study.tables import decision_words

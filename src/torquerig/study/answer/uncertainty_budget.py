@@ -11,10 +11,8 @@ from math import sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.special import ndtr
 
 from torquerig.metrics.random_error import BLOCKS
-from torquerig.study.answer.sensor_limits import sensor_items
 from torquerig.study.answer.uncertainty_item import Item
 
 if TYPE_CHECKING:
@@ -71,6 +69,8 @@ def uncertainty_budget(drive: DriveResult, chain: str, runs: StudyRuns) -> Uncer
     The reading error is the rms of a random error. Where that rms has a standard uncertainty itself, the variance of
     the error is the sum of both squares (law of total variance): random load and open catalog data are such items.
     """
+    from torquerig.study.answer.sensor_limits import sensor_items
+
     result = drive.chains[chain]
     items = (_filter_item(result), _load_item(result), _catalog_item(result, runs), *sensor_items(drive, runs))
     return UncertaintyBudget(drive=drive.candidate.name, chain=chain, unit=drive.disturbance.unit, items=items)
@@ -115,6 +115,8 @@ def mean_range(samples: int) -> float:
     The factor d2 of control charts: the integral of ``1 - F^n - (1 - F)^n``, F the normal distribution. Source:
     Tippett, Biometrika 17 (1925) 364-387.
     """
+    from scipy.special import ndtr
+
     x = np.linspace(-9.0, 9.0, 3601)  # beyond 9 standard deviations the integrand is below 1e-15 for any n up to 1000
     below = ndtr(x)
     return float(np.trapezoid(1 - below**samples - (1 - below) ** samples, x))
