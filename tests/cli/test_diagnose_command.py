@@ -50,6 +50,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     write(str(made / "short.parquet"), rig, duration=0.4)
     write(str(made / "no_speed.parquet"), rig, encoder=False, speed=None)
     rows = "\n".join(f"{index / 1000},0" for index in range(3000))
+    (made / "theirs.pdf").write_text("%PDF-1.7 of another program")
     (made / "pressure.csv").write_text(f"time_s,pressure_Pa\n{rows}\n")
     return made
 
@@ -82,6 +83,8 @@ BAD: dict[str, tuple[tuple[str, ...], str]] = {
     ),
     "over a stranger": (("good.parquet", "--model", "pressure.csv"), "pressure.csv: is there already and no diagnosis"),
     "twice the same": (("good.parquet", "--report", "out.json"), "out.json: two outputs have this path"),
+    "pdf of no page": (("good.parquet", "--pdf"), "--pdf prints the page of --report; name one"),
+    "pdf of a stranger": (("good.parquet", "--report", "theirs.html", "--pdf"), "theirs.pdf: is there already"),
     "no such folder": (("good.parquet", "--model", "no/model.yaml"), "there is no folder no; make it first"),
 }
 

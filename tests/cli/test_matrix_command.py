@@ -1,5 +1,6 @@
 """``torquerig matrix``: files in and out, traces, edits; bad input is one sentence and exit code 2."""
 
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -8,6 +9,7 @@ import pytest
 
 from torquerig.catalog.shipped import shipped_scenarios
 from torquerig.cli import main
+from torquerig.reporting.pdf import CHROMIUM
 
 EXAMPLE = shipped_scenarios() / "matrix_example.yaml"
 TABLES = str(shipped_scenarios() / "reference_tables.yaml")
@@ -119,6 +121,9 @@ def test_all_weights_zero_and_a_sheet_without_a_column_are_exit_code_2(tmp_path,
     [
         ((str(EXAMPLE), "--out", "m.pdf"), "m.pdf: a matrix is written as .html, .md, .xlsx, .yaml"),
         ((str(EXAMPLE), "--out", "there.md"), "there.md: is there already; choose another name"),
+        ((str(EXAMPLE), "--pdf"), "--pdf prints the page of the matrix; name one with --out"),
+        ((str(EXAMPLE), "--pdf", "--out", "m.md"), "--pdf prints the page of the matrix; name one with --out"),
+        ((str(EXAMPLE), "--pdf", "--out", "there.html"), "there.pdf: is there already"),
         ((str(EXAMPLE), "--out", "no/m.md"), "there is no folder no; make it first"),
         ((str(EXAMPLE), "--trace", "servo B", "price"), "'servo B' is not in the matrix; did you mean 'servo A'"),
         ((str(EXAMPLE), "--trace", "servo A", "prise"), "unknown criterion 'prise'; did you mean 'price'"),
@@ -133,12 +138,13 @@ def test_all_weights_zero_and_a_sheet_without_a_column_are_exit_code_2(tmp_path,
 def test_a_bad_call_writes_nothing(arguments, said, tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path("there.md").write_text("kept", encoding="utf-8")
+    Path("there.pdf").write_text("kept", encoding="utf-8")
     assert run("matrix", *arguments) == 2
     shown = capsys.readouterr()
     assert (shown.out, shown.err.count("\n")) == ("", 1)
     assert said in shown.err
     assert Path("there.md").read_text(encoding="utf-8") == "kept"
-    assert [one.name for one in tmp_path.iterdir()] == ["there.md"]
+    assert sorted(one.name for one in tmp_path.iterdir()) == ["there.md", "there.pdf"]
 
 
 def test_a_matrix_is_worked_out_without_plotting_and_read_without_a_compiler():
@@ -150,3 +156,12 @@ def test_a_matrix_is_worked_out_without_plotting_and_read_without_a_compiler():
         "assert 'matplotlib' not in sys.modules"
     )
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+@pytest.mark.skipif(not any(map(shutil.which, CHROMIUM)), reason="no Chromium in PATH")
+def test_pdf_prints_the_page_of_the_matrix(tmp_path, capsys):
+    page = tmp_path / "decision.html"
+    assert run("matrix", str(EXAMPLE), "--out", str(page), "--pdf") == 0
+    assert (tmp_path / "decision.pdf").read_bytes().startswith(b"%PDF")
+    assert f"wrote {tmp_path / 'decision.pdf'}" in capsys.readouterr().err
+    assert page.is_file()

@@ -18,6 +18,7 @@ from torquerig.errors import InputError
 from torquerig.recordings.files import read_recording
 from torquerig.recordings.files.sidecar import sidecar_path
 from torquerig.reporting.json_results.document import json_text
+from torquerig.reporting.pdf import check_pdf_printer, write_pdf
 from torquerig.scenario.reading import read_scenario
 from torquerig.scenario.writing import scenario_text, write_scenario
 from torquerig.whole_file import whole_file
@@ -44,6 +45,7 @@ _HEAD = f"{_MARK}: the nominal rig with fitted parameters and the findings."
     default=None,
     help="HTML page to write, with figures, in one file.",
 )
+@click.option("--pdf", is_flag=True, help="Also print the page of --report as PDF, with Chromium or WeasyPrint.")
 @click.option("--model", type=click.Path(path_type=Path), default=None,
               help="Completed scenario to write; default: next to the JSON file, without one none.")  # fmt: skip
 @click.option("--check", is_flag=True, help="Only check that scenario and recordings match, and list what is compared.")
@@ -67,9 +69,9 @@ _HEAD = f"{_MARK}: the nominal rig with fitted parameters and the findings."
 @set_option
 @catalog_option
 def command(
-    *, recordings: tuple[Path, ...], scenario: Path, out: str | None, report: Path | None, model: Path | None,
-    check: bool, seed: int, workers: int | None, engine: str, held_out: tuple[str, ...], settings: tuple[str, ...],
-    catalogs: tuple[Path, ...],
+    *, recordings: tuple[Path, ...], scenario: Path, out: str | None, report: Path | None, pdf: bool,
+    model: Path | None, check: bool, seed: int, workers: int | None, engine: str, held_out: tuple[str, ...],
+    settings: tuple[str, ...], catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Find which physics the SCENARIO lacks, given RECORDINGS of one rig.
 
@@ -81,6 +83,7 @@ def command(
     Example: torquerig diagnose run1.parquet run2.parquet --scenario scenarios/wear_rig.yaml --report found.html
     """
     _check_held_out(held_out, engine)
+    printed = _printed(report) if pdf else None
     if check:
         foreign = [*([(model, _MARK)] if model else []), *([(report, _PAGE)] if report else [])]
         _check(recordings, scenario, settings, catalogs, seed=seed, out=out, engine=engine, held_out=held_out,
@@ -94,6 +97,8 @@ def command(
     written = [(target, _MARK)] if target else []
     written += [] if out in (None, "-") else [(Path(str(out)), SCHEMA)]
     written += [(report, _PAGE)] if report else []
+    # only where an earlier page of this command is there, the PDF with its name is of this command too
+    written += [(printed, "%PDF-" if report and report.exists() else _PAGE)] if printed else []
     check_output_paths(written, inputs=(*recordings, *map(sidecar_path, recordings), scenario))
     made = read_scenario(edited(scenario, settings), catalog_for(scenario, catalogs), seed=seed)
     read = _read(recordings)
@@ -113,9 +118,18 @@ def command(
         page = found.page(data, command=again, model=_named(data["model"]))
         with whole_file(report) as partial:
             partial.write_text(page, encoding="utf-8", newline="\n")
-    for path in (report, data["model"]):
+        if printed is not None:
+            write_pdf(report, printed)
+    for path in (report, printed, data["model"]):
         if path is not None and out != "-":
             click.echo(f"wrote {path}")
+
+
+def _printed(report: Path | None) -> Path:
+    if report is None:
+        raise click.UsageError("--pdf prints the page of --report; name one, such as --report found.html --pdf.")
+    check_pdf_printer()
+    return report.with_suffix(".pdf")
 
 
 def _check_held_out(held_out: Sequence[str], engine: str) -> None:

@@ -26,7 +26,9 @@ ENDINGS = (".html", ".md", ".xlsx", ".yaml")
               help="Write FILE.xlsx as a filled example of this matrix, with lists and live formulas.")  # fmt: skip
 @click.option("--out", "outs", multiple=True, type=click.Path(path_type=Path), metavar="FILE",
               help=f"Also write the matrix; the ending is the format: {', '.join(ENDINGS)}; repeatable.")  # fmt: skip
-@click.option("--force", is_flag=True, help="Overwrite the files of --out or --template.")
+@click.option("--pdf", is_flag=True,
+              help="Also print the page of --out FILE.html as FILE.pdf, with Chromium or WeasyPrint.")  # fmt: skip
+@click.option("--force", is_flag=True, help="Overwrite the files of --out, --pdf or --template.")
 @click.option("--trace", "traced", nargs=2, multiple=True, metavar="ALTERNATIVE CRITERION",
               help="Only show how this cell was computed; repeatable.")  # fmt: skip
 @click.option("--before", type=click.Path(path_type=Path), metavar="FILE",
@@ -37,6 +39,7 @@ def command(
     *,
     template: str | None,
     outs: Sequence[Path],
+    pdf: bool,
     force: bool,
     traced: Sequence[tuple[str, str]],
     before: Path | None,
@@ -54,6 +57,7 @@ def command(
             raise InputError("--template writes a new workbook and computes nothing; remove --json")
         _write_template(template, file, force=force, others=bool(outs or traced or before))
         return None
+    printed = _printed(outs, force=force) if pdf else {}
     from torquerig.decide.matrix_io.matrix_table import TableSet
     from torquerig.decide.matrix_io.opened import open_matrix
     from torquerig.reporting.json_results.matrix import matrix_result, tables_result
@@ -79,7 +83,28 @@ def command(
 
         write_matrix(worked, path)
         click.echo(f"wrote {path}", err=True)
-    return matrix_result(worked, name=file.stem, texts=shown, written=[path.as_posix() for path in outs])
+    for page, path in printed.items():
+        from torquerig.reporting.pdf import write_pdf
+
+        write_pdf(page, path)
+        click.echo(f"wrote {path}", err=True)
+    written = [path.as_posix() for path in (*outs, *printed.values())]
+    return matrix_result(worked, name=file.stem, texts=shown, written=written)
+
+
+def _printed(outs: Sequence[Path], *, force: bool) -> dict[Path, Path]:
+    """Return the PDF file of each page that is written."""
+    from torquerig.reporting.pdf import check_pdf_printer
+
+    found = {path: path.with_suffix(".pdf") for path in outs if path.suffix.lower() == ".html"}
+    if not found:
+        raise InputError("--pdf prints the page of the matrix; name one with --out, such as --out decision.html --pdf")
+    for path in found.values():
+        if path.exists() and not force:
+            raise InputError(f"{path}: is there already; choose another name for --out, or overwrite it with --force")
+        refuse_unwritable(path)
+    check_pdf_printer()
+    return found
 
 
 def _analysis_text(worked: MatrixAnalysis) -> str:

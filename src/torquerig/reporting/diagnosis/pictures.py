@@ -27,6 +27,7 @@ def mismatch_picture(listed: Sequence[Mismatch]) -> Picture | None:
         mismatch_figure(listed),
         caption=f"{which} where recordings and calibrated model differ, by share of the squared residual.",
         alt_text="bars of the shares of the squared residual by place, largest first",
+        name="differences_by_place",
     )
 
 

@@ -18,6 +18,7 @@ from matplotlib.ticker import FixedFormatter, Formatter, FuncFormatter
 
 from torquerig.errors import InputError
 from torquerig.harmless import harmless
+from torquerig.reporting.figures.figure_data import figure_csv
 from torquerig.reporting.figures.page_picture import Picture, plot_name
 from torquerig.reporting.moving.page_scripts import csv_script, data_script
 from torquerig.whole_file import refuse_unwritable, whole_file
@@ -55,11 +56,12 @@ def picture(
     Parameters
     ----------
     csv : str
-        Its data as CSV text, for the page to save.
+        Its data as CSV text, for the page to save; else, without a ``plot``, what the figure draws.
     plot : mapping, optional
         The same figure as a plot that moves, from ``reporting.moving``; it replaces the image on a screen.
     """
     drawn = svg(figure)
+    csv = csv or ("" if plot else figure_csv(figure))
     return Picture(
         source=f"data:image/svg+xml;base64,{b64encode(drawn).decode()}", caption=caption, alt_text=alt_text, name=name,
         csv=csv_script(csv) if csv else "", plot=plot_name(name) if plot else "",
