@@ -50,7 +50,16 @@ def table(
     head: Sequence[str], rows: Iterable[Sequence[object]], *, caption: str = "", numbers: Sequence[int] = ()
 ) -> ui.html:
     """Add a table whose first column names the row; the columns ``numbers`` are set to the right."""
-    return ui.html(table_html(head, rows, caption=caption, numbers=numbers), sanitize=False).classes("scroll")
+    made = table_place(caption or head[0])
+    made.set_content(table_html(head, rows, caption=caption, numbers=numbers))
+    return made
+
+
+def table_place(name: str) -> ui.html:
+    """Add a place for a table that the keyboard can scroll; ``name`` is what a screen reader reads."""
+    made = ui.html("", sanitize=False).classes("scroll").props("tabindex=0 role=region")
+    made.props["aria-label"] = name
+    return made
 
 
 def table_html(

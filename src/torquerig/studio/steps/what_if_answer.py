@@ -6,7 +6,7 @@ from nicegui import ui
 
 from torquerig.plain_table import fixed
 from torquerig.reporting.figures.effort import shown_unit
-from torquerig.studio.server.elements import folded, say_in, shown, table_html, words
+from torquerig.studio.server.elements import folded, say_in, shown, table_html, table_place, words
 from torquerig.studio.server.plot import Plot
 from torquerig.studio.what_if.answer import Simulated, Sized
 from torquerig.studio.what_if.question import Question
@@ -34,11 +34,9 @@ class AnswerView:
             self._signal = Plot("Torque over time: reading before and after the filter, and the true load")
             self._spectrum = Plot("Amplitude spectrum before and after the filter, with the lines of the drive")
             words("Largest lines of the reading", "h3")
-            self._lines = (
-                ui.html("", sanitize=False).classes("scroll").props('tabindex=0 role=region aria-label="lines"')
-            )
+            self._lines = table_place("lines")
             with folded("Sizing: every figure"):
-                self._sizing = ui.html("", sanitize=False).classes("scroll")
+                self._sizing = table_place("sizing")
             with folded("The same on the command line"):
                 self._commands = ui.html("", sanitize=False).classes("commands")
 
