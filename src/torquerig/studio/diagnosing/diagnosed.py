@@ -1,0 +1,161 @@
+"""The job of a diagnosis: it reports its stages, and returns the answer as plain values."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from hashlib import sha256
+from typing import Any
+
+from torquerig.catalog.search import catalog_folders, catalog_for
+from torquerig.document import parse_document
+from torquerig.errors import InputError
+from torquerig.recordings.files import read_recording
+from torquerig.recordings.files.sidecar import sidecar_path
+from torquerig.recordings.recording import Recording
+from torquerig.rig.assembly import Rig
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import read_scenario
+from torquerig.scenario.writing import scenario_text
+from torquerig.studio.diagnosing.question import DiagnosisQuestion, DiagnosisShown
+from torquerig.studio.jobs.child import Report
+from torquerig.studio.shown_answer import ShownAnswer, ShownPicture, figures_of, pictures_of
+
+HEAD = "Written by the studio of torquerig: the nominal rig with fitted parameters and the findings."
+COMMAND = "torquerig studio, step Diagnose"
+
+
+def diagnosed(question: DiagnosisQuestion, report: Report) -> DiagnosisShown:
+    """Return the diagnosis of recordings of one rig.
+
+    Parameters
+    ----------
+    report : callable
+        Called with ``stage=`` at each stage.
+
+    Raises
+    ------
+    InputError, RecordingError
+        Where scenario and recordings cannot be used or do not fit each other.
+    """
+    from torquerig.diagnosis.side_by_side import side_by_side
+
+    def staged(stage: str) -> None:
+        report(stage=stage)
+
+    staged("reading the recordings")
+    catalog = catalog_for(question.path, question.catalogs)
+    scenario = read_scenario(parse_document(question.text, question.path), catalog, seed=question.seed)
+    recordings = _read(question)
+    with side_by_side(question.workers):
+        return _ENGINES[question.engine](scenario, recordings, question, staged)
+
+
+def _read(question: DiagnosisQuestion) -> list[Recording]:
+    if not question.recordings:
+        raise InputError("a diagnosis needs at least one recording; choose one")
+    return [read_recording(path) for path in question.recordings]
+
+
+def _by_rules(
+    scenario: Scenario, recordings: Sequence[Recording], question: DiagnosisQuestion, staged: Callable[[str], None]
+) -> DiagnosisShown:
+    from torquerig.diagnosis.any_rig import diagnosed as by_rules
+    from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
+    from torquerig.diagnosis.outcome import as_json
+    from torquerig.diagnosis.showing.effect_at_sensor import effect_at_sensor
+    from torquerig.reporting.diagnosis.answer_text import answer_lines
+    from torquerig.reporting.diagnosis.motion_page import motion_page
+    from torquerig.reporting.diagnosis.page import diagnosis_page
+    from torquerig.reporting.diagnosis.page_answer import diagnosis_answer
+    from torquerig.reporting.diagnosis.sentences import FEATURE_RESIDUAL, MOTION_RESIDUAL, verdict_sentence
+
+    outcome = by_rules(scenario, recordings, seed=question.seed, progress=staged)
+    staged("simulating with and without the findings")
+    effect = effect_at_sensor(outcome, nominal=scenario.rig, seed=question.seed)
+    is_motion = isinstance(outcome, MotionOutcome)
+    data = outcome.as_json() if isinstance(outcome, MotionOutcome) else as_json(outcome.diagnosis)
+    measure = MOTION_RESIDUAL if is_motion else FEATURE_RESIDUAL
+    sentence = verdict_sentence(outcome.diagnosis, outcome.left, measure=measure)
+    remarks = outcome.diagnosis.remarks
+    lines = answer_lines(data, verdict=sentence, effect="" if effect is None else effect.sentence, remarks=remarks)
+    staged("drawing")
+    how: dict[str, Any] = {
+        "title": scenario.title,
+        "command": COMMAND,
+        "model": None,
+        "seed": question.seed,
+        "effect": effect,
+    }
+    page = motion_page(outcome, **how) if isinstance(outcome, MotionOutcome) else diagnosis_page(outcome, **how)
+    answer = diagnosis_answer(data, effect, percent=is_motion)
+    return DiagnosisShown(
+        data=_with_provenance(data, question),
+        answer=ShownAnswer(answer.sentences, figures_of(answer.figures), answer.tone),
+        lines=tuple(lines),
+        pictures=_curves(outcome),
+        model=_model(outcome.completed, scenario) if outcome.completes else None,
+        page=page,
+    )
+
+
+def _by_likelihood(
+    scenario: Scenario, recordings: Sequence[Recording], question: DiagnosisQuestion, staged: Callable[[str], None]
+) -> DiagnosisShown:
+    from torquerig.diagnosis.motion.moved import under_measured_motion
+    from torquerig.inference.answer import as_json
+    from torquerig.inference.engine import diagnose
+    from torquerig.reporting.diagnosis.answer_text import answer_lines
+    from torquerig.reporting.diagnosis.likelihood_sentences import remarks_of, verdict_of
+    from torquerig.reporting.diagnosis.page_answer import diagnosis_answer
+    from torquerig.scenario.recorded.compared_channel import as_measured
+
+    if under_measured_motion(scenario.rig):
+        raise InputError("the engine likelihood does not compare rigs whose motion was measured yet; choose rules")
+    outcome = diagnose(scenario, as_measured(recordings, scenario.rig), progress=staged)
+    data = as_json(outcome)
+    answer = diagnosis_answer(data, None, percent=False)
+    return DiagnosisShown(
+        data=_with_provenance(data, question),
+        answer=ShownAnswer(answer.sentences, figures_of(answer.figures), answer.tone),
+        lines=tuple(answer_lines(data, verdict=verdict_of(data), remarks=remarks_of(data))),
+        pictures=(),
+        model=_model(outcome.completed, scenario) if outcome.completes else None,
+        page=None,
+    )
+
+
+_ENGINES: dict[str, Callable[..., DiagnosisShown]] = {"rules": _by_rules, "likelihood": _by_likelihood}
+
+
+def _curves(outcome: Any) -> tuple[ShownPicture, ...]:
+    """Return the curves of recording, nominal and completed model, as the page of the diagnosis has them."""
+    from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
+    from torquerig.diagnosis.showing.comparison import compared
+    from torquerig.diagnosis.showing.motion_comparison import motion_compared
+    from torquerig.reporting.diagnosis import pictures
+    from torquerig.reporting.diagnosis.motion_pictures import motion_pictures
+
+    if isinstance(outcome, MotionOutcome):
+        return pictures_of(motion_pictures(outcome, motion_compared(outcome))[0])
+    runs = compared(outcome)
+    return pictures_of((*pictures.comparison_pictures(outcome, runs), pictures.slow_torque_picture(runs)))
+
+
+def _model(completed: Rig, scenario: Scenario) -> str:
+    point = scenario.document.data.get("operating_point", {})
+    return scenario_text(completed, title=scenario.title, operating_point=point, head=HEAD)
+
+
+def _with_provenance(data: dict[str, Any], question: DiagnosisQuestion) -> dict[str, Any]:
+    """Return the diagnosis with the files, seed and version that made it."""
+    from torquerig.reporting.json_results.provenance import provenance_of
+    from torquerig.reporting.json_results.values import plain_values
+
+    files = (*question.recordings, *map(sidecar_path, question.recordings), question.path)
+    made = provenance_of(
+        files, seed=question.seed, catalogs=catalog_folders(question.path, question.catalogs),
+        options={"engine": question.engine},
+    )  # fmt: skip
+    plain = plain_values(made)[0]
+    hashes = {**plain["inputs_sha256"], question.path.name: sha256(question.text.encode()).hexdigest()}
+    return {**data, "provenance": {**plain, "inputs_sha256": hashes}}
