@@ -1,5 +1,6 @@
 """Functions that the tests of jobs run in another process."""
 
+import multiprocessing
 import os
 import subprocess
 import sys
@@ -33,3 +34,13 @@ def with_a_child(file, report):
     Path(f"{file}.new").write_text(str(child.pid))
     Path(f"{file}.new").rename(file)
     time.sleep(600)
+
+
+def with_forked_workers(report):
+    with multiprocessing.get_context("fork").Pool(2) as pool:
+        return pool.map(abs, [-1, -2])
+
+
+def killed_with_a_forked_worker(report):
+    multiprocessing.get_context("fork").Process(target=time.sleep, args=(10,)).start()
+    os.kill(os.getpid(), 9)

@@ -87,6 +87,17 @@ def gone(process):
     return False
 
 
+@pytest.mark.skipif(os.name == "nt", reason="Windows does not fork")
+def test_work_may_fork_and_what_it_leaves_running_is_not_waited_for():
+    job = started("with_forked_workers")
+    assert job.wait(TIME)
+    assert job.result == [1, 2]
+    killed = started("killed_with_a_forked_worker")
+    assert killed.wait(TIME)
+    assert "signal 9" in killed.sentence
+    killed.process.stdout.close()
+
+
 def test_the_remaining_time_leaves_out_what_was_stored(monkeypatch):
     times = iter([0.0, 10.0, 20.0, 30.0])
     monkeypatch.setattr(jobs.time, "monotonic", lambda: next(times))

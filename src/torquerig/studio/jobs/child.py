@@ -24,8 +24,11 @@ def main() -> None:
     """
     out = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
-    module, name, arguments = pickle.load(sys.stdin.buffer)  # noqa: S301 (from the studio that started this process)
-    threading.Thread(target=_end_with_the_studio, daemon=True).start()
+    pipe = os.fdopen(os.dup(0), "rb")
+    module, name, arguments = pickle.load(pipe)  # noqa: S301 (from the studio that started this process)
+    # workers that are forked close standard input: a thread that reads it would hold its lock in them for ever
+    os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
+    threading.Thread(target=_end_with_the_studio, args=(pipe.fileno(),), daemon=True).start()
     lock = threading.Lock()
 
     def send(kind: str, content: Any) -> None:
@@ -51,9 +54,10 @@ def main() -> None:
         send("done", result)
 
 
-def _end_with_the_studio() -> None:
+def _end_with_the_studio(pipe: int) -> None:
     """End this process and those that it started when the studio closes the pipe: it was ended, or it died."""
-    sys.stdin.buffer.read()
+    while os.read(pipe, 1):
+        pass
     if os.name != "nt":
         os.killpg(os.getpgrp(), signal.SIGKILL)
     os._exit(1)

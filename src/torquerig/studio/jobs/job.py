@@ -16,6 +16,7 @@ from typing import Any, Literal
 
 State = Literal["running", "done", "failed", "cancelled"]
 PATIENCE = 3.0  # [s] for a process to end by itself before it is ended by force
+STEP = 0.05  # [s] between two looks at a process
 MINUTE = 120.0  # [s] from here on the remaining time is in minutes
 
 
@@ -90,7 +91,7 @@ class Job:
         """Wait for the end, at most so long [s]; return whether it has ended."""
         end = time.monotonic() + seconds
         while self.is_running and time.monotonic() < end:
-            time.sleep(0.02)
+            time.sleep(STEP)
         return not self.is_running
 
     def _listen(self) -> None:
@@ -102,10 +103,18 @@ class Job:
                     self._count(content)
                 else:
                     self._ended(kind, content)
+
+    def _watch(self) -> None:
+        """Listen until the process ends, and end what it has left running; a result that is under way still counts."""
+        listener = threading.Thread(target=self._listen, daemon=True)
+        listener.start()
         code = self.process.wait()
+        _signal(self.process, "SIGKILL")
+        listener.join(PATIENCE)  # a worker that was left running may hold the pipe open
         self._ended("failed", f"the process of this work ended unexpectedly ({_reason(code)}); start it again")
         _close(self.process)
-        self.process.stdout.close()
+        if not listener.is_alive() and self.process.stdout is not None:
+            self.process.stdout.close()
 
     def _ended(self, kind: State, content: Any) -> None:
         with self._lock:
@@ -148,7 +157,7 @@ def start(function: Callable[..., Any], *arguments: Any) -> Job:
         pickle.dump((function.__module__, function.__qualname__, arguments), process.stdin)
         process.stdin.flush()
     job = Job(process)
-    threading.Thread(target=job._listen, daemon=True).start()
+    threading.Thread(target=job._watch, daemon=True).start()
     return job
 
 
