@@ -18,7 +18,7 @@ from torquerig.scenario.reading import read_scenario
 from torquerig.scenario.writing import scenario_text
 from torquerig.studio.diagnosing.question import DiagnosisQuestion, DiagnosisShown
 from torquerig.studio.jobs.child import Report
-from torquerig.studio.shown_answer import ShownAnswer, ShownPicture, figures_of, pictures_of
+from torquerig.studio.shown_answer import ShownAnswer, figures_of, pictures_in
 
 HEAD = "Written by the studio of torquerig: the nominal rig with fitted parameters and the findings."
 COMMAND = "torquerig studio, step Diagnose"
@@ -92,7 +92,7 @@ def _by_rules(
         data=_with_provenance(data, question),
         answer=ShownAnswer(answer.sentences, figures_of(answer.figures), answer.tone),
         lines=tuple(lines),
-        pictures=_curves(outcome),
+        pictures=pictures_in(page),
         model=_model(outcome.completed, scenario) if outcome.completes else None,
         page=page,
     )
@@ -105,40 +105,29 @@ def _by_likelihood(
     from torquerig.inference.answer import as_json
     from torquerig.inference.engine import diagnose
     from torquerig.reporting.diagnosis.answer_text import answer_lines
-    from torquerig.reporting.diagnosis.likelihood_sentences import remarks_of, verdict_of
-    from torquerig.reporting.diagnosis.page_answer import diagnosis_answer
+    from torquerig.reporting.diagnosis.likelihood.first_screen import first_screen
+    from torquerig.reporting.diagnosis.likelihood.page import likelihood_page
+    from torquerig.reporting.diagnosis.likelihood.sentences import remarks_of, verdict_of
     from torquerig.scenario.recorded.compared_channel import as_measured
 
     if under_measured_motion(scenario.rig):
         raise InputError("the engine likelihood does not compare rigs whose motion was measured yet; choose rules")
     outcome = diagnose(scenario, as_measured(recordings, scenario.rig), progress=staged)
     data = as_json(outcome)
-    answer = diagnosis_answer(data, None, percent=False)
+    staged("drawing")
+    page = likelihood_page(outcome, data, title=scenario.title, command=COMMAND, model=None, seed=question.seed)
+    answer = first_screen(data)
     return DiagnosisShown(
         data=_with_provenance(data, question),
         answer=ShownAnswer(answer.sentences, figures_of(answer.figures), answer.tone),
         lines=tuple(answer_lines(data, verdict=verdict_of(data), remarks=remarks_of(data))),
-        pictures=(),
+        pictures=pictures_in(page),
         model=_model(outcome.completed, scenario) if outcome.completes else None,
-        page=None,
+        page=page,
     )
 
 
 _ENGINES: dict[str, Callable[..., DiagnosisShown]] = {"rules": _by_rules, "likelihood": _by_likelihood}
-
-
-def _curves(outcome: Any) -> tuple[ShownPicture, ...]:
-    """Return the curves of recording, nominal and completed model, as the page of the diagnosis has them."""
-    from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
-    from torquerig.diagnosis.showing.comparison import compared
-    from torquerig.diagnosis.showing.motion_comparison import motion_compared
-    from torquerig.reporting.diagnosis import pictures
-    from torquerig.reporting.diagnosis.motion_pictures import motion_pictures
-
-    if isinstance(outcome, MotionOutcome):
-        return pictures_of(motion_pictures(outcome, motion_compared(outcome))[0])
-    runs = compared(outcome)
-    return pictures_of((*pictures.comparison_pictures(outcome, runs), pictures.slow_torque_picture(runs)))
 
 
 def _model(completed: Rig, scenario: Scenario) -> str:
