@@ -237,7 +237,11 @@ class Recording:
         return json.dumps(data, indent=2, ensure_ascii=False, default=float) + "\n"
 
     def plot(self) -> Figure:
-        """Return the channels over time, with the spectrum and the levels of the torque."""
+        """Return the channels over time, with the spectrum and the levels of the torque.
+
+        A notebook shows plots to zoom, with all samples and without a request to the net; ``savefig`` writes the
+        picture.
+        """
         return figure("recording_figure", self)
 
     def _repr_html_(self) -> str:

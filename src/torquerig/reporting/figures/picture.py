@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from base64 import b64encode
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from io import BytesIO
 from pathlib import Path
@@ -33,7 +33,16 @@ STYLE: dict[Any, Any] = {
 
 
 class NotebookFigure(Figure):
-    """A figure that a notebook shows although no window system knows of it."""
+    """A figure that a notebook shows although no window system knows of it.
+
+    ``moving`` returns the same as HTML with plots to zoom; a notebook prefers it to the picture.
+    """
+
+    moving: Callable[[], str] | None = None
+
+    def _repr_html_(self) -> str | None:
+        """Return the plots that move; None where there are none."""
+        return None if self.moving is None else self.moving()
 
     def _repr_png_(self) -> bytes:
         """Return the picture as PNG."""

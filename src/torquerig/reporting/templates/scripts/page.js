@@ -32,7 +32,7 @@ async function csvOf(figure) {
   const host = figure.querySelector("[data-plot]");
   const { data, curves } = plotsOnPage.has(host.id) ? await plotsOnPage.get(host.id) : await plotData(host.id);
   const names = Object.keys(curves).filter((name) => !(name in data.differences)), first = curves[names[0]];
-  const lines = [[data.x, ...names.map((name) => `${name} [${data.unit}]`)].join(",")];
+  const lines = [[data.x, ...names.map((name) => (data.unit ? `${name} [${data.unit}]` : name))].join(",")];
   for (let at = 0; at < first.values.length; at += 1) {
     lines.push([Number((first.start + at * first.step).toPrecision(10)), ...names.map((name) => Number(curves[name].values[at].toPrecision(7)))].join(","));
   }
