@@ -65,14 +65,15 @@ def bench(text: str, folder: Path) -> Scenario:
 
 
 def recorded(
-    scenario: Scenario, added: Sequence[Part] = (), *, runs: Sequence[tuple[float, float]] = ((800, 100), (1200, 0))
-) -> list[Recording]:
-    """Return steady runs at speeds [rpm] and occupancies [%], with parts that the scenario lacks."""
+    scenario: Scenario, added: Sequence[Part] = (), *, runs: Sequence[tuple[float, float]] = ((800, 100), (1200, 0)),
+    profile: str = "steady",
+) -> list[Recording]:  # fmt: skip
+    """Return runs at speeds [rpm] and occupancies [%], with parts that the scenario lacks."""
     rig, made = scenario.rig, list[Recording]()
     for part in added:
         rig = rig + part
     for index, (rpm, occupancy) in enumerate(runs):
-        run = replace(rig.run, speed=rpm * np.pi / 30, occupancy_percent=occupancy)
+        run = replace(rig.run, speed=rpm * np.pi / 30, occupancy_percent=occupancy, profile=profile)
         one = simulate(rig.at(run), duration=DURATION, seed=10 + index, sample_rate=RATE, wander=2e-4)
         made.append(replace(one, name=f"run{index + 1}.parquet", run=run).without_truth())
     return made

@@ -161,3 +161,14 @@ def test_a_random_load_that_no_scenario_states_is_named(benches):
 @pytest.mark.parametrize("name", BENCHES)
 def test_nothing_is_named_where_nothing_is_missing(benches, name):
     assert answered(benches[name], recorded(benches[name]))["findings"] == []
+
+
+@pytest.mark.long
+def test_an_inertia_that_is_far_from_its_stated_value_is_a_fault_of_the_set_up(benches, tmp_path):
+    stated = bench(FREE.replace("inertia: {value: 0.01 ", "inertia: {value: 0.03 "), tmp_path)
+    data = answered(stated, recorded(benches["free"], runs=((1200, 0), (900, 0)), profile="ramp"))
+    assert data["findings"] == []
+    (fault,) = data["setup"]
+    assert (fault["kind"], fault["of"], fault["stated"]) == ("parameter", "pump.inertia", 0.03)
+    low, high = fault["estimated"]["ci95"]
+    assert low < 0.01 < high

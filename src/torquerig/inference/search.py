@@ -92,7 +92,8 @@ def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple
     before = held_out_density(model.fit, held)
     winners = [
         one for one in fits
-        if one.log_odds > model.log_odds + LEAST_GAIN and held_out_density(one.fit, held) > before + LEAST_HELD_OUT
+        if one.log_odds > model.log_odds + LEAST_GAIN
+        and held_out_density(one.fit, held) > _compared(model.fit, one.additions[-1], held, before) + LEAST_HELD_OUT
     ]  # fmt: skip
     if not winners:
         return None, tried
@@ -102,6 +103,18 @@ def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple
     behind = [one for one in fits if one is not best and one.log_odds <= best.log_odds]
     others = [(added, one.additions[-1], best.log_odds - one.log_odds) for one in behind]
     return replace(best, alternatives=(*model.alternatives, *others)), tried
+
+
+def _compared(fit: Fit, each: Addition, held: Data, before: float) -> float:
+    """Return the held-out log-likelihood that an addition must exceed [nats].
+
+    That is ``before`` for parts. A number that is far off has moved already, against its prior: it is compared with the
+    stated one.
+    """
+    if each.parts:
+        return before
+    near = [0.0 if knob.name in each.names else 1.0 for knob in fit.knobs]
+    return held_out_density(replace(fit, positions=fit.positions * np.array(near)), held)
 
 
 def _fitted(model: Model, data: Data, screened: Sequence[tuple[Addition, tuple[float, ...]]]) -> Iterator[Model]:

@@ -13,7 +13,7 @@ from torquerig.rig.parts import ForceSensor
 
 NAMES = ("flicker_noise",)
 
-_LOG_ODDS = -4.0
+_LOG_ODDS = -14.0  # slow parts of the load and of the speed, which no model has exactly, look like it
 _CORNER, _SPREAD = 10.0, 2.3  # [Hz] prior median: amplifiers have 1 to 100 Hz; and of its logarithm
 _STARTS = ((-1.0,), (0.0,), (1.0,), (2.0,))
 

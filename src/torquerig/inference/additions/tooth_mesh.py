@@ -45,8 +45,8 @@ def _mesh(context: Context, gear: Gear, turns: float) -> Iterator[Addition]:
         context, places, unit=lambda multiple: mesh({multiple: 1.0}),
         knob=lambda multiple: Knob(name, "tooth_error", DECADE, key=multiple - 1),
     )  # fmt: skip
-    if found.medians:
-        first = min(found.medians)
+    first = next((one for one in range(1, _HARMONICS + 1) if mesh({one: 1.0}).lines(teeth)), 0)
+    if first in found.medians:  # the lowest multiple that the planets leave; others alone are no mesh
         yield Addition(
             mechanism="gear_mesh", variant="tooth_mesh", parts=(mesh(found.medians),), knobs=tuple(found.knobs),
             starts=(tuple(found.start),), places=tuple(places.values()), log_odds=_LOG_ODDS,

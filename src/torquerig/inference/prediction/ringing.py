@@ -40,7 +40,7 @@ def ringing_lines(twin: Twin, seen: RunFeatures) -> tuple[Floats, Floats]:
         rate = _impacts(stage, seen)
         slowest = float(rate[rate > 0].min(initial=np.inf))
         count = min(int(_HIGHEST * seen.run.rate / slowest), _MOST_LINES)
-        multiple = np.arange(1, count + 1)[:, None]
+        multiple = np.arange(1.0, count + 1)[:, None]
         at = multiple * rate[None]
         share = np.column_stack([_in_rhythm(stage, seen, row, multiple[:, 0]) for row in range(rate.size)])
         # a line of amplitude a has the power a^2 / 2, which is the density times the distance of two lines
