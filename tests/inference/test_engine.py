@@ -63,7 +63,10 @@ def test_a_fault_of_the_set_up_is_reported_as_such(scenario, factor, kind, estim
     data = as_json(diagnose(scenario, multiplied(recorded(scenario), factor)))
     (fault,) = data["setup"]
     assert (fault["kind"], fault["of"]) == (kind, "sensor")
-    assert fault["estimated"]["value"] == pytest.approx(estimated, rel=1e-6)
+    # a scale is known as well as the stated sensitivity, whose standard deviation is 0.2 %
+    assert fault["estimated"]["value"] == pytest.approx(estimated, rel=0.008)
+    low, high = fault["estimated"]["ci95"]
+    assert low <= estimated <= high
     assert not data["findings"]
 
 
@@ -78,6 +81,8 @@ def test_wrong_counts_of_the_encoder_are_reported(scenario):
     (fault,) = data["setup"]
     assert fault["kind"] == "counts_per_rev"
     assert (fault["stated"], fault["estimated"]["value"]) == pytest.approx((1024, 4096))
+    low, high = fault["estimated"]["ci95"]
+    assert low < 4096 < high < 4200
     assert not data["findings"]
 
 

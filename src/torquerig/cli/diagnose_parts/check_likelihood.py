@@ -7,7 +7,7 @@ from pathlib import Path
 
 from torquerig.cli.diagnose_parts.by_likelihood import refuse_measured_motion
 from torquerig.cli.progress import stages
-from torquerig.inference.engine import prepared
+from torquerig.inference.engine import Prepared, prepared
 from torquerig.inference.isolability.beforehand import Beforehand, beforehand
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.recording import Recording
@@ -38,11 +38,16 @@ def checked_by_likelihood(
         found = beforehand(ready)
     *first, last = lines
     return DiagnoseCheckResult(
-        (*first, *_text(found), last),
+        (*first, *_suspicions(ready), *_text(found), last),
         tuple(UpperLimit(**each) for each in found.upper_limits),
         tuple(InseparablePair(each.one, each.other, each.mechanisms, each.next_experiment)
               for each in found.inseparable),
     )  # fmt: skip
+
+
+def _suspicions(ready: Prepared) -> Iterator[str]:
+    for fault in ready.setup:
+        yield from wrapped(f"suspicious: {fault.explanation}").splitlines()
 
 
 def _text(found: Beforehand) -> Iterator[str]:

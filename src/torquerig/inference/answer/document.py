@@ -29,13 +29,14 @@ def as_json(outcome: Outcome) -> dict[str, Any]:
         number_answer(outcome.model.fit, each.knobs[0], confidence=confidence(outcome, each))
         for each in far_numbers(outcome)
     )
+    faults = (fault_answer(each, outcome.model.fit, runs=len(outcome.runs)) for each in outcome.setup)
     word = verdict(outcome)
     return {
         "schema": SCHEMA,
         "verdict": word,
         "mismatch": [*differences(outcome), *remaining(outcome)],
         "findings": [finding(outcome, each, next_experiment=next_experiment(outcome, each)) for each in named(outcome)],
-        "setup": [*map(fault_answer, outcome.setup), *numbers],
+        "setup": [*faults, *numbers],
         "unnamed": [unnamed(outcome, each) for each in nameless(outcome)],
         "fit": fit_figures(outcome),
         "rms": rms_errors(outcome),

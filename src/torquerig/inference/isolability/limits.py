@@ -8,7 +8,7 @@ from typing import Any
 from torquerig.inference.addition import Addition
 from torquerig.inference.isolability.signatures import Projection, Signature, signature
 
-_PER_MECHANISM = 4  # hypotheses of a mechanism that are followed to their smallest size
+_PER_MECHANISM = 3  # hypotheses of a mechanism that are followed to their smallest size
 
 
 def smallest(projection: Projection, hypotheses: Iterable[Addition]) -> list[Signature]:

@@ -52,7 +52,9 @@ def _residual(data: Mapping[str, Any]) -> str:
     if not rms:
         return ""
     unit = str(rms["unit"]).replace("*", " ")
-    return f"Rms residual on held-out data: {plain(rms['before'])} {unit} before, {plain(rms['after'])} {unit} after."
+    least = f" Random errors alone make {plain(rms['true_model'])} {unit}." if "true_model" in rms else ""
+    ends = f"{plain(rms['before'])} {unit} before, {plain(rms['after'])} {unit} after"
+    return f"Rms residual on held-out data: {ends}.{least}"
 
 
 def _details(data: Mapping[str, Any]) -> Iterator[str]:
