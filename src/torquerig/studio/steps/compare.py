@@ -87,7 +87,8 @@ class _Compare:
         if not moved:
             self.tab.say("Nothing differs from the scenario.")
         elif self.tab.attempt(take):
-            self.tab.say(f"{len(moved)} numbers taken into the scenario. Undo takes them back; Save writes the file.")
+            count = "1 number" if len(moved) == 1 else f"{len(moved)} numbers"
+            self.tab.say(f"{count} taken into the scenario. Undo goes back; Save writes the file.")
 
 
 def build(tab: Tab) -> None:

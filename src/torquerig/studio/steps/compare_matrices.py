@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
 
 from nicegui import ui
-
-from torquerig.reporting.moving.page_scripts import data_script
 
 SCRIPTS = ("elements.js", "tables.js", "matrix_engine.js", "matrix_tables.js", "matrix_controls.js")
 ADDRESS = "/studio/report/scripts"
@@ -23,6 +22,9 @@ window.studioMatrices ||= (async () => {{
   }}
 }})();
 await window.studioMatrices;
+const made = Object.assign(document.createElement("script"), {{ id: "data-matrix", type: "application/json" }});
+const held = document.getElementById("data-matrix") || document.body.appendChild(made);
+held.textContent = JSON.stringify(model);
 startMatrices();
 """
 
@@ -35,8 +37,8 @@ class Matrices:
 
     def show(self, model: Mapping[str, Any]) -> None:
         """Show the matrices of a study."""
-        self._holder.set_content(f"{_laboratory()}{data_script('data-matrix', model)}")
-        ui.run_javascript(START)
+        self._holder.set_content(_laboratory())
+        ui.run_javascript(f"const model = {json.dumps(dict(model))};\n{START}")
 
     async def moved(self) -> Mapping[str, Any]:
         """Return the matrices as they are on the page now."""
