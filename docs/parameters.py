@@ -36,6 +36,8 @@ Next to `rig:` a scenario has `scenario:` (a title), `measured:` (the part whose
 `imposed_motion` whose effort is) and `operating_point:`, with `motor_speed:` or `output_speed:`,
 `load: {occupancy:, particle_size:}`,
 `profile:` and `duty_cycle:`, `speed_set_point_error_max:` and `slow_speed_wander:`; the shipped scenarios show them.
+`temperature_change: 10 K` is the largest change of the sensor's temperature since its zero was set; the uncertainty
+budget of a study counts the drift over it.
 """
 
 

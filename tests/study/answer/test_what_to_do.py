@@ -179,6 +179,54 @@ def test_what_the_catalog_states_of_the_sensor_is_counted():
     assert "each 10 K adds up to 0.01 N m" in item(found, "temperature drift of the zero").remedy
 
 
+def test_the_drift_over_the_stated_change_of_temperature_is_counted():
+    """Kistler 4503: zero up to 0.1 % of 10 N m and sensitivity up to 0.1 % of the mean 1.2 N m, each per 10 K."""
+    found = budget("torque_sensor.catalog=Kistler-4503-10nm", "operating_point.temperature_change=15 K")
+    assert item(found, "temperature drift of the zero").standard == pytest.approx(0.001 * 10 * 1.5 / sqrt(3))
+    assert item(found, "temperature drift of the sensitivity").standard == pytest.approx(0.001 * 1.2 * 1.5 / sqrt(3))
+    assert item(found, "temperature drift of the zero").is_counted
+    assert found.not_known == ("zero",)
+    still = budget("torque_sensor.catalog=Kistler-4503-10nm", "operating_point.temperature_change=0 K")
+    assert item(still, "temperature drift of the zero").standard == 0.0
+    by_hand = [
+        0.05, 0.005, 2 * 0.02 * 0.05 / 2.326, 0.005 * 1.2 / sqrt(3), 0.01 / sqrt(3), 0.015 / sqrt(3),
+        0.0018 / sqrt(3), 0.1 / sqrt(2),
+    ]  # fmt: skip
+    assert found.combined == pytest.approx(sqrt(sum(one**2 for one in by_hand)), rel=1e-4)
+
+
+def test_a_temperature_without_a_catalog_entry_leaves_the_drift_unknown_and_says_what_is_missing():
+    found = item(budget("operating_point.temperature_change=15 K"), "temperature drift of the zero")
+    assert found.standard is None
+    assert "name a catalog entry at the sensor" in found.remedy
+
+
+def test_a_force_sensor_has_its_budget_in_newtons():
+    """Class 0.2 % of 400 N, zero within 2 N, 16 bit over ±10 V at 5 mV/N: a step of 20 / 65536 / 0.005 N."""
+    document = overridden(
+        read_document(shipped_scenarios() / "linear_axis.yaml"), ["force_sensor.zero_tolerance=2 N", "study.draws=4"]
+    )
+    opened = open_study(document, load_catalog(shipped_folder()))
+    name = opened.settings.filters.names[0]
+    drive = _drive(candidates(opened)[0], (0.3, 0.3), servo=None, price=(1.0, 2.0), spread=0.0)
+    chain = replace(
+        next(iter(drive.chains.values())), chain=name, truth_error=Figure(value=0.3, low=0.3, high=0.3, unit="N")
+    )
+    drive = replace(drive, chains={name: chain}, shares=None, disturbance=replace(drive.disturbance, unit="N"))
+    runs = StudyRuns(study=opened, drives=(drive,), mean_load=400.0, occupancy_percent=40.0, particle_size=5e-4,
+                     output_speed=0.05)  # fmt: skip
+    found = uncertainty_budget(drive, name, runs)
+    assert found.unit == "N"
+    assert item(found, "sensor class").standard == pytest.approx(0.002 * 400 / sqrt(3))
+    assert item(found, "sensor class").basis.startswith("sensitivity within 0.2 % of 400 N,")
+    assert item(found, "zero").standard == pytest.approx(2 / sqrt(3))
+    assert item(found, "converter").standard == pytest.approx(20 / 65536 / 0.005 / sqrt(12))
+    assert "bending of the sensor" not in {one.name for one in found.items}  # it does not turn
+    assert found.not_known == (
+        "linearity and hysteresis", "temperature drift of the zero", "temperature drift of the sensitivity",
+    )  # fmt: skip
+
+
 def test_one_sample_of_open_values_leaves_their_item_unknown():
     runs = made(ALIKE, "study.draws=0")
     found = uncertainty_budget(runs.drives[1], "none", runs)

@@ -31,6 +31,8 @@ def unused_by_simulation(scenario: Scenario) -> tuple[str, ...]:
     point, run = scenario.operating_point, scenario.rig.run
     if point.speed_set_point_error_max:
         found.append(f"{_POINT}.speed_set_point_error_max: only a diagnosis uses it; the simulated set-point is exact")
+    if point.temperature_change is not None:
+        found.append(f"{_POINT}.temperature_change: only the uncertainty budget of a study uses it")
     if not isinstance(run.set_points, Tabulated):
         return tuple(found)
     if _holds(run.set_points.rows):

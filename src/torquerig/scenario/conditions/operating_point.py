@@ -52,6 +52,9 @@ class OperatingPoint(BaseModel):
     csv: TableText | None = None
     load: Load = Load()
     speed_set_point_error_max: Annotated[float, Parameter("1", "largest error of the set-point", low=0)] = 0.0
+    temperature_change: (
+        Annotated[float, Parameter("K", "largest change of the sensor's temperature after its zero", low=0)] | None
+    ) = None
     slow_speed_wander: Annotated[float, Parameter("1", "relative rms of the slow wander", low=0)] = 0.0
     slow_speed_wander_cutoff: Annotated[float, Parameter("Hz", "bandwidth of the slow wander", above=0)] = WANDER_CUTOFF
 

@@ -11,6 +11,7 @@ from math import sqrt
 from typing import TYPE_CHECKING
 
 from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
+from torquerig.rig.parts import ForceSensor
 from torquerig.study.answer.uncertainty_item import Item
 from torquerig.study.candidates import scenario_of
 
@@ -20,39 +21,49 @@ if TYPE_CHECKING:
     from torquerig.scenario.model import Scenario
     from torquerig.study.results import DriveResult, StudyRuns
 
+AnySensor = AmplifiedTorqueSensor | ForceSensor
 RECTANGULAR, ARCSINE = sqrt(3), sqrt(2)  # [1] half-width over standard deviation
+DRIFT_OVER = 10.0  # [K] to which data sheets and the catalog refer a drift
 IN_FIRST = "simulated, and contained in the item filter"
+NO_ENTRY = "name a catalog entry at the sensor, or add the effect to the rig:"
 
 
 @dataclass(frozen=True, kw_only=True)
 class _Measuring:
-    """The sensor of a study, its catalog entry, and the mean torque [N m] that it reads.
+    """The sensor of a study, its catalog entry, and the mean torque [N m] or force [N] that it reads.
 
     ``tolerance`` is the largest relative error of its sensitivity [1], 0 where none is stated; ``simulated`` are the
-    kinds of parts that act on it.
+    kinds of parts that act on it; ``warmed`` is the stated change of its temperature [K].
     """
 
-    sensor: AmplifiedTorqueSensor
+    sensor: AnySensor
     entry: Sensor | None
     mean: float
     tolerance: float
     simulated: frozenset[str]
+    warmed: float | None
+    unit: str
 
 
 def sensor_items(drive: DriveResult, runs: StudyRuns) -> tuple[Item, ...]:
     """Return the items of sensor and converter; one "not known" where the reading comes from another kind of sensor."""
     scenario = scenario_of(drive.candidate, runs.study, seed=runs.study.settings.seed)
-    sensors = [one for one in scenario.rig.parts_of(AmplifiedTorqueSensor) if one.name in scenario.rig.places]
+    rig = scenario.rig
+    known: list[AnySensor] = [*rig.parts_of(AmplifiedTorqueSensor), *rig.parts_of(ForceSensor)]
+    sensors = [one for place in rig.places for one in known if one.name == place]
     if not sensors:
-        return (_unknown("sensor and converter", "the budget reads torque_sensor parts only"),)
+        remedy = "the budget needs a torque_sensor, reaction_torque_sensor or force_sensor"
+        return (_unknown("sensor and converter", remedy),)
     read = _measuring(scenario, sensors[0], drive, runs)
     return (
         _sensitivity(read), _linearity(read), _zero(read), _temperature(read, "zero"),
-        _temperature(read, "sensitivity"), _bending(read), _converter(read),
+        _temperature(read, "sensitivity"), *_bending(read), _converter(read),
     )  # fmt: skip
 
 
-def _measuring(scenario: Scenario, sensor: AmplifiedTorqueSensor, drive: DriveResult, runs: StudyRuns) -> _Measuring:
+def _measuring(
+    scenario: Scenario, sensor: AmplifiedTorqueSensor | ForceSensor, drive: DriveResult, runs: StudyRuns
+) -> _Measuring:
     stated = runs.study.document.data["rig"].get(sensor.name, {})
     name = stated.get("catalog")
     found = runs.study.catalog.sensor(name) if name and sensor.kind == "torque_sensor" else None
@@ -61,7 +72,10 @@ def _measuring(scenario: Scenario, sensor: AmplifiedTorqueSensor, drive: DriveRe
     tolerance = (
         sensor.gain_tolerance if "gain_tolerance" in stated else _largest(found.gain_tolerance if found else None)
     )
-    return _Measuring(sensor=sensor, entry=found, mean=abs(mean), tolerance=tolerance, simulated=kinds)
+    return _Measuring(
+        sensor=sensor, entry=found, mean=abs(mean), tolerance=tolerance, simulated=kinds,
+        warmed=scenario.operating_point.temperature_change, unit=drive.disturbance.unit.replace("*", " "),
+    )  # fmt: skip
 
 
 def _sensitivity(read: _Measuring) -> Item:
@@ -69,7 +83,7 @@ def _sensitivity(read: _Measuring) -> Item:
         return _unknown("sensor class", "state gain_tolerance at the sensor, from its data sheet")
     return _limit(
         "sensor class", read.tolerance * read.mean,
-        f"sensitivity within {100 * read.tolerance:.2g} % of {read.mean:.3g} N m",
+        f"sensitivity within {100 * read.tolerance:.2g} % of {read.mean:.3g} {read.unit}",
         source=_source(read.entry.gain_tolerance if read.entry else None),
     )  # fmt: skip
 
@@ -81,9 +95,10 @@ def _linearity(read: _Measuring) -> Item:
     known = read.entry.nonlinearity_hysteresis if read.entry else None
     share = _largest(known)
     if read.entry is None or not share:
-        return _unknown(name, "the catalog entry of the sensor states no nonlinearity_hysteresis")
+        remedy = "the catalog entry of the sensor states no nonlinearity_hysteresis"
+        return _unknown(name, remedy if read.entry else f"{NO_ENTRY} nonlinearity and hysteresis")
     full = read.entry.range_torque.nominal()
-    return _limit(name, share * full, f"within {100 * share:.2g} % of {full:g} N m", source=_source(known))
+    return _limit(name, share * full, f"within {100 * share:.2g} % of {full:g} {read.unit}", source=_source(known))
 
 
 def _zero(read: _Measuring) -> Item:
@@ -102,28 +117,36 @@ def _temperature(read: _Measuring, of: str) -> Item:
     known = None if read.entry is None else read.entry.zero_drift if of == "zero" else read.entry.gain_drift
     share = _largest(known)
     if read.entry is None or not share:
-        return _unknown(name, "neither the drift of the sensor nor the change of temperature is stated")
+        return _unknown(name, f"{NO_ENTRY} the drift of the {of}")
     torque = read.entry.range_torque.nominal() if of == "zero" else read.mean
-    return _unknown(name, f"the change of temperature is not stated; each 10 K adds up to {share * torque:.2g} N m")
+    if read.warmed is None:
+        remedy = f"state operating_point.temperature_change; each {DRIFT_OVER:g} K adds up to {share * torque:.2g} "
+        return _unknown(name, remedy + read.unit)
+    largest = share * torque * read.warmed / DRIFT_OVER
+    return _limit(name, largest, f"within {100 * share:.2g} % of {torque:.3g} {read.unit} per {DRIFT_OVER:g} K, over "
+                  f"{read.warmed:g} K", source=_source(known))  # fmt: skip
 
 
-def _bending(read: _Measuring) -> Item:
+def _bending(read: _Measuring) -> tuple[Item, ...]:
+    """Return the line once a turn of a shaft that bends the sensor; none for a force sensor, which does not turn."""
+    if isinstance(read.sensor, ForceSensor):
+        return ()
     name = "bending of the sensor"
     if "bending_crosstalk" in read.simulated:
-        return _contained(name)
+        return (_contained(name),)
     known = read.entry.bending_crosstalk if read.entry else None
     share = _largest(known)
     if read.entry is None or not share:
-        return _unknown(name, "neither the weight on the sensor nor its cross-talk is stated")
+        return (_unknown(name, "neither the weight on the sensor nor its cross-talk is stated"),)
     amplitude = share * read.entry.range_torque.nominal()
-    return Item(name=name, kind="B", standard=amplitude / ARCSINE, source=_source(known),
-                basis=f"line once a turn of at most {amplitude:.2g} N m, arcsine distribution")  # fmt: skip
+    basis = f"line once a turn of at most {amplitude:.2g} {read.unit}, arcsine distribution"
+    return (Item(name=name, kind="B", standard=amplitude / ARCSINE, source=_source(known), basis=basis),)
 
 
 def _converter(read: _Measuring) -> Item:
     step = 2 * read.sensor.converter_range / 2**read.sensor.converter_bits / read.sensor.sensitivity
     return Item(name="converter", kind="B", standard=step / 2 / RECTANGULAR, is_counted=False, source="scenario",
-                basis=f"half a step of {1e3 * step:.2g} mN m, rectangular; {IN_FIRST}")  # fmt: skip
+                basis=f"half a step of {1e3 * step:.2g} m{read.unit}, rectangular; {IN_FIRST}")  # fmt: skip
 
 
 def _limit(name: str, half_width: float, basis: str, *, source: str) -> Item:
