@@ -11,6 +11,7 @@ from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
 from torquerig.reporting.figures import picture
+from torquerig.reporting.moving import page_scripts
 from torquerig.reporting.study.report import write_study_report
 from torquerig.scenario.overrides import overridden
 from torquerig.study.definition import open_study
@@ -54,3 +55,10 @@ def test_a_page_of_kept_results_is_the_same_and_draws_what_has_changed_alone(
     assert first == again == written(tmp_path / "alone", kept=None)
     assert changed == written(tmp_path / "changed alone", SAME_ORDER, kept=None)
     assert changed["index.html"] != first["index.html"]
+
+
+def test_the_script_of_bokeh_is_that_of_its_resources() -> None:
+    from bokeh.resources import Resources
+
+    expected = "\n".join(Resources(mode="inline", components=["bokeh"]).js_raw)
+    assert page_scripts._bokeh() == expected.replace("</script", "<\\/script")

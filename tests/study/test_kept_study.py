@@ -6,6 +6,7 @@ import shutil
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import get_args
 
 import pytest
 
@@ -14,10 +15,14 @@ from torquerig.cases.kept_results import KeptResults
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
+from torquerig.rig.parts.gear_stage import GearStage
+from torquerig.scenario.kinds import KINDS
 from torquerig.scenario.overrides import overridden
+from torquerig.scenario.sections import USUAL
 from torquerig.study import simulated_drives as simulated
 from torquerig.study.candidates import candidates
 from torquerig.study.definition import Study, open_study
+from torquerig.study.exchange import STAGE_KINDS
 from torquerig.study.kept_study import KeptStudy
 from torquerig.study.results import StudyRuns
 from torquerig.study.run_study import run_study
@@ -96,7 +101,8 @@ def test_another_motor_in_the_list_is_simulated_alone(tmp_path: Path, simulation
 
 def test_an_interrupted_run_goes_on_where_it_was(tmp_path: Path, simulations: list[str]) -> None:
     def stop(done: int, total: int, name: str) -> None:
-        raise KeyboardInterrupt
+        if done:
+            raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
         run_study(study_with(), kept=KeptResults(tmp_path), progress=stop)
@@ -159,3 +165,8 @@ def test_a_damaged_row_is_computed_again_with_a_note(tmp_path: Path, simulations
     assert simulations == ["HDS5C-102A 5:1"]
     assert kept.notes == [f"{path}: this kept result was damaged; it was removed and is computed again"]
     assert figures(again) == figures(first)
+
+
+def test_the_words_of_stages_are_those_of_the_kinds() -> None:
+    assert tuple(word for word, kind in KINDS.items() if issubclass(kind, get_args(GearStage))) == STAGE_KINDS
+    assert not KINDS[USUAL].in_a_line

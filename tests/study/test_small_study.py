@@ -21,8 +21,9 @@ from torquerig.rig.terms import Inertia
 from torquerig.scenario.kinematics import gears_to_sensor
 from torquerig.scenario.overrides import overridden
 from torquerig.study.candidate import Candidate
-from torquerig.study.candidates import candidates, left_out_gearboxes, scenario_of
+from torquerig.study.candidates import candidates, scenario_of
 from torquerig.study.definition import Study, open_study
+from torquerig.study.left_out import left_out_gearboxes
 from torquerig.study.missing_data import missing_data_text
 from torquerig.study.operating_points import points_of
 from torquerig.study.results import DriveResult, StudyRuns

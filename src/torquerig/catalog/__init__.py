@@ -6,6 +6,7 @@
 - ``sensor``    the schema of a torque sensor file
 - ``coupling``  the schema of a coupling file
 - ``reading``   ``load_catalog(*folders)``: the ``Catalog``, looked up by name or alias
+- ``shelves``   the ``Catalog``; ``unread`` one that is read at the first look-up
 - ``search``    the catalog folders that a scenario or a command reads
 - ``shipped``   folders of the catalogs and scenarios that come with torquerig
 - ``sampling``  ``sample_entry(entry, seed)`` and ``nominal(entry)``: values for a simulation

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, TypeVar
@@ -13,58 +12,21 @@ from pydantic import TypeAdapter
 from torquerig.catalog.coupling import Coupling
 from torquerig.catalog.entry import Entry, estimates
 from torquerig.catalog.gearbox import Gearbox
-from torquerig.catalog.motor import Alias, Motor
+from torquerig.catalog.motor import Motor
 from torquerig.catalog.part_class import KINDS, PartClass, completed, values_adapter
 from torquerig.catalog.printed.conversion import converted
 from torquerig.catalog.printed.sheet import MotorSheet
 from torquerig.catalog.sensor import Sensor
+from torquerig.catalog.shelves import Catalog
 from torquerig.document import Document, read_document, validated
-from torquerig.errors import InputError, UnknownNameError, did_you_mean
+from torquerig.errors import InputError, did_you_mean
 from torquerig.section_schema import schema_of
+
+__all__ = ["SHELVES", "Catalog", "load_catalog", "read_classes", "read_entry"]
 
 AnyEntry = TypeVar("AnyEntry", bound=Entry)
 BLANK = "____"
 SHELVES: dict[str, type[Entry]] = {"motors": Motor, "gearboxes": Gearbox, "sensors": Sensor, "couplings": Coupling}
-
-
-@dataclass(frozen=True)
-class Catalog:
-    """All catalog entries, by name."""
-
-    motors: Mapping[str, Motor] = field(default_factory=dict)
-    gearboxes: Mapping[str, Gearbox] = field(default_factory=dict)
-    sensors: Mapping[str, Sensor] = field(default_factory=dict)
-    couplings: Mapping[str, Coupling] = field(default_factory=dict)
-    classes: Mapping[str, PartClass] = field(default_factory=dict)
-
-    def motor(self, name: str) -> Motor:
-        """Return the motor ``name``; under an alias it keeps that name, and ``stands_for`` is the real name."""
-        if name in self.motors:
-            return self.motors[name]
-        real, _ = self._aliases().get(name, ("", None))
-        if not real:
-            raise _unknown("motor", name, [*self.motors, *self._aliases()])
-        return self.motors[real].model_copy(update={"name": name, "stands_for": real})
-
-    def resolved(self, name: str) -> Alias | None:
-        """Return the alias entry of ``name``, with its reason and source; None where it is the name of a motor."""
-        self.motor(name)
-        return None if name in self.motors else self._aliases()[name][1]
-
-    def gearbox(self, name: str) -> Gearbox:
-        """Return the gearbox ``name``; UnknownNameError with the close matches where there is none."""
-        return _found(self.gearboxes, name, "gearbox")
-
-    def sensor(self, name: str) -> Sensor:
-        """Return the torque sensor ``name``; UnknownNameError with the close matches where there is none."""
-        return _found(self.sensors, name, "sensor")
-
-    def coupling(self, name: str) -> Coupling:
-        """Return the coupling ``name``; UnknownNameError with the close matches where there is none."""
-        return _found(self.couplings, name, "coupling")
-
-    def _aliases(self) -> dict[str, tuple[str, Alias]]:
-        return {alias.name: (motor.name, alias) for motor in self.motors.values() for alias in motor.aliases}
 
 
 def load_catalog(*folders: Path) -> Catalog:
@@ -79,7 +41,7 @@ def load_catalog(*folders: Path) -> Catalog:
         When a folder is missing or has none of the five, when a file cannot be read, and when a name or alias occurs
         twice within one folder; with file, line and key.
     """
-    shelves: dict[str, dict[str, Any]] = {shelf: {} for shelf in SHELVES}
+    shelves: dict[str, Any] = {shelf: {} for shelf in SHELVES}
     for folder in folders:
         _check_folder(folder)
     classes = read_classes(*folders)
@@ -186,13 +148,3 @@ def _names(entry: Entry) -> Iterable[tuple[str, tuple[str | int, ...]]]:
     if isinstance(entry, Motor):
         for at, alias in enumerate(entry.aliases):
             yield alias.name, ("aliases", at, "name")
-
-
-def _found(entries: Mapping[str, AnyEntry], name: str, kind: str) -> AnyEntry:
-    if name not in entries:
-        raise _unknown(kind, name, entries)
-    return entries[name]
-
-
-def _unknown(kind: str, name: str, known: Iterable[str]) -> UnknownNameError:
-    return UnknownNameError(f"there is no {kind} {name!r} in the catalog; {did_you_mean(name, known)}")

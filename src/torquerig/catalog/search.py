@@ -5,15 +5,23 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from torquerig.catalog.reading import Catalog, load_catalog
+from torquerig.catalog.shelves import Catalog
 from torquerig.catalog.shipped import shipped_folder
+from torquerig.catalog.unread import unread_catalog
 from torquerig.errors import InputError
 from torquerig.extensions import extensions
 
 
 def catalog_for(scenario: Path | None, further: Sequence[Path] = ()) -> Catalog:
     """Return all catalogs of a scenario, merged; an entry of a later folder replaces one of an earlier."""
+    from torquerig.catalog.reading import load_catalog
+
     return load_catalog(*catalog_folders(scenario, further))
+
+
+def unread_catalog_for(scenario: Path | None, further: Sequence[Path] = ()) -> Catalog:
+    """Return the catalog of :func:`catalog_for`, whose entries are read when the first one is looked up."""
+    return unread_catalog(*catalog_folders(scenario, further))
 
 
 def catalog_folders(scenario: Path | None, further: Sequence[Path] = ()) -> list[Path]:

@@ -10,7 +10,7 @@ from pathlib import Path
 import click
 
 from torquerig.cases.kept_results import KeptResults
-from torquerig.catalog.search import catalog_for
+from torquerig.catalog.search import unread_catalog_for
 from torquerig.cli.common_options import cache_options, catalog_option, kept_results, note_from_cache, set_option
 from torquerig.cli.json_option import json_option
 from torquerig.cli.matrix import ENDINGS, check_target
@@ -36,13 +36,13 @@ from torquerig.reporting.study.report import write_study_report
 from torquerig.reporting.study.text import ranked_text, shares_text, sweep_text
 from torquerig.scenario.overrides import overridden
 from torquerig.study.as_matrix import as_matrix
-from torquerig.study.candidates import left_out_gearboxes
 from torquerig.study.definition import Study, open_study
-from torquerig.study.held_numbers import held_sentence
+from torquerig.study.left_out import left_out_gearboxes
 from torquerig.study.operating_points import Point, points_of
 from torquerig.study.results import StudyRuns
 from torquerig.study.run_study import run_study
 from torquerig.study.scoring import Decided, decide
+from torquerig.study.study_facts import study_facts
 from torquerig.study.sweep import SweptPoint, sweep, sweep_axes
 from torquerig.study.trace import check_traced, traced_cell
 from torquerig.study.verdict import Verdict, verdict
@@ -87,7 +87,7 @@ def command(
     Example: torquerig compare scenarios/wear_rig.yaml --set load.occupancy=11
     """
     document = read_document(scenario)
-    study = open_study(overridden(document, settings), catalog_for(scenario, catalogs))
+    study = open_study(overridden(document, settings), unread_catalog_for(scenario, catalogs))
     folder = out or Path("reports") / scenario.stem
     if folder.exists() and not folder.is_dir():
         raise InputError(f"{folder} is a file; name a folder for the report with --out")
@@ -154,7 +154,7 @@ def _print_ranking(runs: StudyRuns, swept: tuple[SweptPoint, ...]) -> tuple[Deci
 
 
 def _notes(runs: StudyRuns) -> list[str]:
-    return [note for note in (left_out_gearboxes(runs.study), held_sentence(runs.study)) if note]
+    return [note for note in (left_out_gearboxes(runs.study), study_facts(runs).held) if note]
 
 
 def _print_changes(found: tuple[Change, ...], settings: tuple[str, ...], *, unit: str) -> None:

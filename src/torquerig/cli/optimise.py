@@ -18,8 +18,9 @@ from torquerig.plain_table import wrapped
 from torquerig.reporting.json_results.draws import OptimiseResult, optimise_result
 from torquerig.reporting.study.optimum_text import front_text, optimum_text
 from torquerig.scenario.overrides import overridden
-from torquerig.study.candidates import compared_gearboxes, left_out_gearboxes, refuse_pinned
+from torquerig.study.candidates import compared_gearboxes, refuse_pinned
 from torquerig.study.definition import open_study
+from torquerig.study.left_out import left_out_gearboxes
 
 if TYPE_CHECKING:
     _PairType = click.ParamType[tuple[float, float]]

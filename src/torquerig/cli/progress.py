@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -22,7 +22,25 @@ MINUTES = 120.0  # [s] from here on the remaining time is in minutes
 
 @contextmanager
 def drive_progress(title: str) -> Iterator[Callable[[int, int, str], None]]:
-    """Yield a function ``progress(done, total, name)`` that shows the progress of a study."""
+    """Yield a function ``progress(done, total, name)`` that shows the progress of a study.
+
+    Nothing is shown, and what draws the bar is not imported, where all was done before the first call.
+    """
+    with ExitStack() as opened:
+        shown: list[Callable[[int, int, str], None]] = []
+
+        def progress(done: int, total: int, name: str) -> None:
+            if not shown and done == total:
+                return
+            if not shown:
+                shown.append(opened.enter_context(_shown_progress(title)))
+            shown[0](done, total, name)
+
+        yield progress
+
+
+@contextmanager
+def _shown_progress(title: str) -> Iterator[Callable[[int, int, str], None]]:
     from rich.console import Console
     from rich.progress import (
         BarColumn,
@@ -99,7 +117,7 @@ class PlainLines:
         """Return the line for this state, with the remaining time; empty where none is due. ``now`` in [s]."""
         if self.start is None:
             self.start, self.last, self.before = now, now, done
-        if not (done == total or done % 10 == 0 or now - self.last >= EVERY):
+        if not (done == total or (done and done % 10 == 0) or now - self.last >= EVERY):
             return ""
         self.last = now
         return f"{self.title}: {done}/{total}{self._remaining(done, total, now)} {harmless(name)}".rstrip()

@@ -31,8 +31,8 @@ from torquerig.reporting.study.draws_text import (
 )
 from torquerig.reporting.study.sensitivity_text import asked_first_text, decisive_text, effects_text, too_few_text
 from torquerig.scenario.overrides import overridden
-from torquerig.study.candidates import left_out_gearboxes
 from torquerig.study.definition import open_study
+from torquerig.study.left_out import left_out_gearboxes
 
 if TYPE_CHECKING:
     from torquerig.cases.block import Engine

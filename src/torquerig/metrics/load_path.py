@@ -7,9 +7,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from torquerig.metrics.sizing.load_fidelity import frequencies_of, reading_per_load, rigid_fidelity
-from torquerig.rig.terms import Load, Spring
-
 if TYPE_CHECKING:
     from torquerig.rig.assembly import Rig
 
@@ -36,6 +33,9 @@ class LoadPath:
 
 def load_path(rig: Rig) -> LoadPath | None:
     """Return the way of the load to the sensor; None for a rig without a load or without a sensor spring."""
+    from torquerig.metrics.sizing.load_fidelity import frequencies_of, reading_per_load, rigid_fidelity
+    from torquerig.rig.terms import Load, Spring
+
     terms = rig.terms()
     if not any(isinstance(term, Load) for term in terms):
         return None

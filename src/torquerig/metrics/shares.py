@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.metrics.truth_error import true_load
-from torquerig.simulation.simulator import SAMPLE_RATE, simulate
 
 if TYPE_CHECKING:
     from torquerig.recordings.recording import Recording
@@ -50,13 +49,19 @@ class Shares:
 
 
 def reading_shares(
-    rig: Rig, *, duration: float, seed: int, settling: float, wander: float = 0.0, sample_rate: float = SAMPLE_RATE
+    rig: Rig, *, duration: float, seed: int, settling: float, wander: float = 0.0, sample_rate: float | None = None
 ) -> Shares:
-    """Return the shares of the reading over ``duration`` seconds; five runs of the rig with the same seed."""
+    """Return the shares of the reading over ``duration`` seconds; five runs of the rig with the same seed.
+
+    ``sample_rate`` [Hz] is that of the simulator where it is not given.
+    """
+    from torquerig.simulation.simulator import SAMPLE_RATE, simulate
+
+    rate = SAMPLE_RATE if sample_rate is None else sample_rate
 
     def run(*left_out: str) -> Recording:
         kept = replace(rig, parts=tuple(part for part in rig.parts if part.group not in left_out))
-        return simulate(kept, duration=duration, seed=seed, wander=wander, settling=settling, sample_rate=sample_rate)
+        return simulate(kept, duration=duration, seed=seed, wander=wander, settling=settling, sample_rate=rate)
 
     return shares_of(run(), run(*DISTURBANCES), without={group: run(group) for group in DISTURBANCES})
 

@@ -10,17 +10,16 @@ from pydantic import BaseModel
 
 from torquerig.document import Document, validated, with_new_keys
 from torquerig.errors import InputError, did_you_mean
-from torquerig.scenario.checks.misplaced import place_of
-from torquerig.scenario.conditions.operating_point import OperatingPoint
-from torquerig.scenario.kinds import KINDS
-from torquerig.scenario.numbers.uncertain import Resolved, resolved
 from torquerig.scenario.section_names import SECTIONS
 from torquerig.section_schema import schema_of
 
 if TYPE_CHECKING:
+    from torquerig.scenario.conditions.operating_point import OperatingPoint
+    from torquerig.scenario.numbers.uncertain import Resolved
     from torquerig.scenario.study_section import Settings
 
 Section = TypeVar("Section", bound=BaseModel)
+USUAL = "torque_sensor"  # what most rigs measure with; it turns
 
 
 def sections_of(document: Document) -> dict[str, Any]:
@@ -32,7 +31,7 @@ def sections_of(document: Document) -> dict[str, Any]:
     for key, value in data.items():
         if key not in SECTIONS:
             remedy = did_you_mean(str(key), SECTIONS)
-            elsewhere = None if remedy.startswith("did you") else place_of(str(key), value, data, here="the top level")
+            elsewhere = None if remedy.startswith("did you") else _place_of(str(key), value, data, here="the top level")
             raise InputError(f"{document.place((key,))}: unknown key; {elsewhere or remedy}")
     if "study" in data:
         read_study_section(with_current_names(document))
@@ -53,6 +52,9 @@ def read_study_section(document: Document) -> Settings:
 
 def read_operating_point(document: Document, *, seed: int) -> tuple[OperatingPoint, Resolved]:
     """Return the operating point with one value for every number, and what is known of the uncertain ones."""
+    from torquerig.scenario.conditions.operating_point import OperatingPoint
+    from torquerig.scenario.numbers.uncertain import resolved
+
     name, in_a_line = "operating_point", output_moves_in_a_line(document.data)
     stated = resolved(
         document.data.get(name, {}), OperatingPoint, owner=name, seed=seed,
@@ -70,6 +72,10 @@ def output_moves_in_a_line(data: Mapping[str, Any]) -> bool:
     if isinstance(part, dict) and isinstance(part.get("at"), str):  # an instrument or an imposed motion
         part = parts.get(part["at"])
     kind = part.get("kind") if isinstance(part, dict) else None
+    if kind == USUAL:  # the kinds take 0.2 s to import
+        return False
+    from torquerig.scenario.kinds import KINDS
+
     return isinstance(kind, str) and kind in KINDS and KINDS[kind].in_a_line
 
 
@@ -81,7 +87,14 @@ def read_section(document: Document, name: str, model: type[Section]) -> Section
 def _validated(
     document: Document, name: str, model: type[Section], *, data: Any = None, in_a_line: bool = False
 ) -> Section:
-    elsewhere = partial(place_of, data=document.data, here=name)
+    elsewhere = partial(_place_of, data=document.data, here=name)
     return validated(
         document, schema_of(model), within=(name,), data=data, context={"in_a_line": in_a_line}, elsewhere=elsewhere
     )
+
+
+def _place_of(key: str, value: Any, data: Any, *, here: str) -> str | None:
+    """Return where a key that is unknown here would be right; what knows that is imported for an error alone."""
+    from torquerig.scenario.checks.misplaced import place_of
+
+    return place_of(key, value, data, here=here)

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from torquerig.decide.criterion import Better, Criterion, Indifference, Kind, Requirement, ValueFunction
 from torquerig.decide.kesselring import TEACHING
 from torquerig.errors import InputError, TorquerigError
-from torquerig.metrics.sizing.drive_sizing import SIZING_UNITS
 from torquerig.study.settings import CriterionRow, RequirementRow
 
 if TYPE_CHECKING:
@@ -26,9 +25,8 @@ UNITS: Mapping[str, str] = {
     "new_parts": "1",
     "price": "EUR",
     "residual_disturbance": "N*m",
-    **SIZING_UNITS,
 }
-"""Unit of each metric on a shaft; limits, bands and points of a study are in it."""
+"""Unit of each metric on a shaft but those of a sizing; limits, bands and points of a study are in it."""
 AT_SENSOR = ("truth_error", "disturbance", "continuous_output_torque", "sensor_peak", "residual_disturbance")
 """Metrics of what is measured, which is a force where it moves in a line."""
 
@@ -51,9 +49,18 @@ def criteria_of(study: Study) -> tuple[Criterion, ...]:
     return tuple(_made(study, "criteria", name, row) for name, row in study.settings.criteria.items())
 
 
+def unit_of(metric: str) -> str:
+    """Return the unit of a metric of a study on a shaft."""
+    if metric in UNITS:
+        return UNITS[metric]
+    from torquerig.metrics.sizing.drive_sizing import SIZING_UNITS
+
+    return SIZING_UNITS[metric]
+
+
 def _made(study: Study, section: str, name: str, row: RequirementRow | CriterionRow) -> Criterion:
     place = study.document.place
-    unit = study.effort_unit if row.metric in AT_SENSOR else UNITS[row.metric]
+    unit = study.effort_unit if row.metric in AT_SENSOR else unit_of(row.metric)
     if row.unit != unit:
         raise InputError(
             f"{place(('study', section, name, 'unit'))}: {row.metric} has the unit {unit!r}, not {row.unit!r}; "

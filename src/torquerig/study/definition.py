@@ -10,15 +10,12 @@ from typing import TYPE_CHECKING
 
 from torquerig.document import Document, read_document
 from torquerig.errors import InputError, did_you_mean
-from torquerig.filters.chains.chain_file import chain_texts, made_chain, needs_response
-from torquerig.scenario.kinematics import kinematics_of
-from torquerig.scenario.load_response import load_response
 from torquerig.scenario.sections import output_moves_in_a_line, with_current_names
 from torquerig.study.exchange import exchanged_parts, present_stage
 from torquerig.study.settings import Settings, read_settings
 
 if TYPE_CHECKING:
-    from torquerig.catalog.reading import Catalog
+    from torquerig.catalog.shelves import Catalog
     from torquerig.filters.chains.chain_file import Stages
     from torquerig.filters.chains.filter_chain import Chain
     from torquerig.scenario.model import Scenario
@@ -73,6 +70,10 @@ class Study:
         InputError
             When the study names a chain that the file does not have.
         """
+        from torquerig.filters.chains.chain_file import made_chain, needs_response
+        from torquerig.scenario.kinematics import kinematics_of
+        from torquerig.scenario.load_response import load_response
+
         wanted = dict.fromkeys((*self.settings.filters.names, self.settings.present.filter))
         rate, is_needed = scenario.recording.sample_rate, needs_response(self.filters, wanted)
         response = load_response(scenario.rig, rate=rate) if is_needed else None
@@ -89,6 +90,8 @@ class Study:
     @cached_property
     def filter_texts(self) -> Mapping[str, Stages]:
         """The filter chains of the file, for any drive."""
+        from torquerig.filters.chains.chain_file import chain_texts
+
         return chain_texts(self.filters)
 
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from torquerig.scenario.reading import read_scenario
-
 if TYPE_CHECKING:
     from torquerig.study.definition import Study
 
@@ -15,6 +13,8 @@ def held_sentence(study: Study) -> str:
 
     The samples draw from intervals without a value, of the catalog and of the scenario.
     """
+    from torquerig.scenario.reading import read_scenario
+
     kept = read_scenario(study.document, study.catalog, seed=study.settings.seed).kept
     if not kept:
         return ""

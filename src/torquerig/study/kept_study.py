@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from torquerig.cases.content import content_digest
-from torquerig.cases.kept_values import bytes_of, read_value
+from torquerig.cases.kept_values import bytes_of, kept_or_made, read_value
 from torquerig.study.settings import metrics_of
 
 if TYPE_CHECKING:
@@ -24,14 +24,15 @@ CLASSES = frozenset({
     "torquerig.metrics.figure:Figure", "torquerig.metrics.load_path:LoadPath", "torquerig.metrics.shares:Shares",
     "torquerig.orders.kinematics.kinematic_lines:KinematicLine", "torquerig.parameter:Estimate",
     "torquerig.scenario.catalog_values.filled:FromCatalog", "torquerig.study.candidate:Candidate",
-    "torquerig.study.candidate:ExchangedParts", "torquerig.study.loop_margin:LoopMargin",
+    "torquerig.study.candidate:ExchangedParts", "torquerig.study.loop_figures:LoopMargin",
     "torquerig.study.results:ChainResult", "torquerig.study.results:DriveResult", "torquerig.study.results:Point",
 })  # fmt: skip
 """What a result of a drive is made of."""
-RATED_AFTERWARDS = ("requirements", "criteria", "all_points")
+RATED_AFTERWARDS = ("requirements", "criteria", "all_points", "sweep")
 """Parts of a study that are applied to the figures; which metrics they use is part of a key, no limit or weight is."""
 LISTED = ("motors", "gearboxes")
 """Lists of a study that say which drives there are; the drive itself is part of a key."""
+OTHER_SHELVES = ("gearboxes", "sensors", "couplings")
 LONGEST_NAME = 1000  # characters of a text that may name a file
 
 
@@ -78,8 +79,7 @@ class KeptStudy:
 
     def row_key(self, candidate: Candidate) -> str:
         """Return the key of a drive's result: a digest of all that its figures depend on."""
-        catalog, stage = self.study.catalog, candidate.gearbox
-        entries = [repr(catalog.motor(candidate.motor)), repr(catalog.gearboxes.get(stage))]
+        entries = (self._entries["motors"][candidate.motor], self._entries["gearboxes"].get(candidate.gearbox))
         return self.results.key("drive", self._shared, candidate, entries)
 
     def _row(self, candidate: Candidate) -> DriveResult | None:
@@ -93,30 +93,45 @@ class KeptStudy:
 
     @cached_property
     def _candidates_key(self) -> str:
-        lists = (self.study.motors, self.study.gearboxes, self.study.settings.present)
-        catalog = [repr(one) for one in (*self.study.catalog.motors.values(), *self.study.catalog.gearboxes.values())]
-        return self.results.key("candidates", self._shared, repr(lists), catalog)
+        settings = self.study.settings
+        lists = (settings.motors, settings.gearboxes, settings.present.motor, settings.present.gearbox)
+        return self.results.key("candidates", self._shared, lists, self._entries)
+
+    @cached_property
+    def _entries(self) -> Mapping[str, Mapping[str, str]]:
+        """Digest of each entry of the catalog, by shelf and name; motors under their aliases too, in their order."""
+
+        def read() -> dict[str, dict[str, str]]:
+            catalog = self.study.catalog
+            names = [*catalog.motors, *(alias.name for one in catalog.motors.values() for alias in one.aliases)]
+            shelves = {"gearboxes": catalog.gearboxes, "sensors": catalog.sensors, "couplings": catalog.couplings}
+            found = {name: {one: repr(entry) for one, entry in shelf.items()} for name, shelf in shelves.items()}
+            found["motors"] = {name: repr(catalog.motor(name)) for name in names}
+            return {
+                shelf: {name: content_digest(text) for name, text in listed.items()} for shelf, listed in found.items()
+            }
+
+        digest = self.study.catalog.digest
+        return kept_or_made(self.results if digest else None, "catalog", digest, read, classes=())
 
     @cached_property
     def _shared(self) -> str:
         """Digest of what all drives depend on."""
-        study, catalog = self.study, self.study.catalog
+        study, entries = self.study, self._entries
         data = dict(study.document.data)
         data["study"] = {
             key: value for key, value in data["study"].items() if key not in (*RATED_AFTERWARDS, *LISTED)
         }  # fmt: skip
-        exchanged = study.exchanged.motor
-        named = set(_texts({**data, "rig": {name: one for name, one in data["rig"].items() if name != exchanged}}))
-        shelves = (catalog.gearboxes, catalog.sensors, catalog.couplings)
-        entries = {name: repr(one) for shelf in shelves for name, one in shelf.items() if name in named}
-        parts = {
-            str(name): repr(catalog.motors.get(str(one.get("catalog"))))
-            for name, one in data["rig"].items()
-            if isinstance(one, dict) and name != exchanged
-        }
+        rig = {name: one for name, one in data["rig"].items() if name != study.exchanged.motor}
+        named = set(_texts({**data, "rig": rig}))
+        others = [{name: one for name, one in entries[shelf].items() if name in named} for shelf in OTHER_SHELVES]
+        motors = [
+            entries["motors"].get(str(one["catalog"])) for one in rig.values()
+            if isinstance(one, dict) and "catalog" in one
+        ]  # fmt: skip
         files = _files(named | set(_texts(study.filters.data)), study.document.path.parent)
         stated = (data, sorted(metrics_of(study.settings)), study.filters.data)
-        return content_digest(stated, str(study.document.path.stem), entries, parts, files)
+        return content_digest(stated, str(study.document.path.stem), others, motors, files)
 
 
 def _first_recording(candidate: Candidate, study: Study) -> Recording:

@@ -9,7 +9,8 @@ from torquerig.errors import InputError
 from torquerig.scenario.checks.requirement_check import requirement_faults
 from torquerig.scenario.drive_requirement import drive_requirement
 from torquerig.study.criteria import criteria_of, requirements_of
-from torquerig.study.loop_margin import LoopMargin, loop_margin
+from torquerig.study.loop_figures import LoopMargin
+from torquerig.study.loop_margin import loop_margin
 
 if TYPE_CHECKING:
     from torquerig.scenario.model import Scenario

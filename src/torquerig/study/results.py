@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from torquerig.scenario.catalog_values.filled import FromCatalog
     from torquerig.study.candidate import Candidate
     from torquerig.study.definition import Study
-    from torquerig.study.loop_margin import LoopMargin
+    from torquerig.study.loop_figures import LoopMargin
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -42,8 +42,6 @@ def run_study(
     point = None if store is None else store.point(listed)
     found = {} if store is None else store.rows(listed)
     results, from_store = dict(found), len(found)
-    if progress is not None and found:
-        progress(len(found), len(listed), "")
     if point is None or len(found) < len(listed):
         point = _completed(study, listed, results, store, progress=progress, workers=workers)
     keys = {} if store is None else {one.name: store.row_key(one) for one in listed}
@@ -85,6 +83,8 @@ def _completed(
     scenarios = {one: scenario_of(one, study, seed=study.settings.seed) for one in listed}
     check_study(study, scenarios)
     missing = {one: made for one, made in scenarios.items() if one not in results}
+    if missing and progress is not None:
+        progress(len(results), len(listed), "")
     names = list(missing)
     for row, result in simulated_drives(missing, study, workers=workers):
         results[names[row]] = result

@@ -8,16 +8,19 @@ from functools import cached_property
 from itertools import product
 from math import prod
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from torquerig.catalog.reading import Catalog
 from torquerig.document import Document, parse_document
 from torquerig.errors import InputError
 from torquerig.scenario.overrides import overridden
 from torquerig.study.definition import Study, open_study
-from torquerig.study.results import DriveResult, StudyRuns
 from torquerig.study.scoring import Decided, decide
 from torquerig.study.settings import read_settings
 from torquerig.study.verdict import Verdict, verdict
+
+if TYPE_CHECKING:
+    from torquerig.catalog.shelves import Catalog
+    from torquerig.study.results import DriveResult, StudyRuns
 
 Axes = Mapping[str, tuple[str, ...]]
 """The values of each swept quantity, as the scenario states it."""

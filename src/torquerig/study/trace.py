@@ -17,7 +17,6 @@ from torquerig.decide.trace import (
     value_steps,
 )
 from torquerig.errors import UnknownNameError, did_you_mean
-from torquerig.study.candidates import candidates
 
 if TYPE_CHECKING:
     from torquerig.decide.cell import Cell, Origin
@@ -116,6 +115,10 @@ def traced_cell(decided: Decided, verdict: Verdict, alternative: str, name: str)
 
 def check_traced(study: Study, pairs: Iterable[tuple[str, str]]) -> None:
     """Raise UnknownNameError for a cell that the study does not have, before the simulation."""
+    if not pairs:
+        return
+    from torquerig.study.candidates import candidates
+
     rows = tuple(study.settings.criteria) + tuple(study.settings.requirements)
     chains = tuple(dict.fromkeys((*study.settings.filters.names, study.settings.present.filter)))
     for alternative, name in pairs:

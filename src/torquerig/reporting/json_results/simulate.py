@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from torquerig.recordings.recording import Recording
 from torquerig.reporting.json_results.values import Missing, Quantity
+
+if TYPE_CHECKING:
+    from torquerig.recordings.recording import Recording
 
 NOT_RANDOM = Missing("the command draws no random numbers")
 

@@ -11,12 +11,9 @@ from typing import TYPE_CHECKING
 from torquerig.parameter import EVIDENCE
 from torquerig.reporting.layout import listed, plain
 from torquerig.reporting.study.chapters import rule_text
-from torquerig.scenario.conditions.recording_settings import RecordingSettings
-from torquerig.scenario.sections import read_operating_point, read_section
-from torquerig.study.candidates import left_out_gearboxes
-from torquerig.study.exchanged_data import left_out_effects
-from torquerig.study.held_numbers import held_sentence
+from torquerig.study.left_out import left_out_gearboxes
 from torquerig.study.load_randomness import load_randomness
+from torquerig.study.study_facts import study_facts
 
 if TYPE_CHECKING:
     from torquerig.metrics.figure import Figure
@@ -71,14 +68,13 @@ def _of_a_chain(runs: StudyRuns) -> str:
 def operating_point(runs: StudyRuns, decided: Decided) -> Facts:
     """Return the operating point and the rules for every drive, as pairs of name and text."""
     settings = runs.study.settings
-    wander = read_operating_point(runs.study.document, seed=settings.seed)[0].slow_speed_wander
-    unit, wandering = runs.study.effort_unit.replace("*", " "), f"slow speed wander {wander:g} rms (relative)"
-    rate = read_section(runs.study.document, "recording", RecordingSettings).sample_rate
+    facts = study_facts(runs)
+    unit, wandering = runs.study.effort_unit.replace("*", " "), f"slow speed wander {facts.wander:g} rms (relative)"
     return (
         ("speed", _speed(runs)),
         ("occupancy", f"{runs.occupancy_percent:g} %, a mean load of {plain(runs.mean_load)} {unit}"),
         ("particle size", f"{plain(runs.particle_size * 1e3)} mm"),
-        ("run", f"{settings.duration:g} s at {rate / 1e3:g} kHz for each drive, {wandering}"),
+        ("run", f"{settings.duration:g} s at {facts.rate / 1e3:g} kHz for each drive, {wandering}"),
         ("Monte Carlo", f"{1 + settings.draws} samples of each drive, drawn from the catalog's intervals"),
         ("speed loop", _loop_rule(settings.speed_loop)),
         ("drive limit", _limit_rule(settings.sensor_limit, unit)),
@@ -125,7 +121,7 @@ def limits(runs: StudyRuns) -> tuple[str, ...]:
     )
     rig = runs.study.document.data.get("rig", {})
     mesh = () if any(part.get("kind") == "gear_mesh" for part in rig.values()) else (MESH,)
-    notes = [note for note in (left_out_gearboxes(runs.study), held_sentence(runs.study)) if note]
+    notes = [note for note in (left_out_gearboxes(runs.study), study_facts(runs).held) if note]
     return (
         simulated,
         *narrow_loops(runs),
@@ -142,8 +138,7 @@ def limits(runs: StudyRuns) -> tuple[str, ...]:
 
 def _left_out(runs: StudyRuns) -> tuple[str, ...]:
     """Return the effects of the present stage that some candidates cannot have."""
-    boxes = dict.fromkeys(drive.candidate.gearbox for drive in runs.drives)
-    without = {box: left_out_effects(box, runs.study) for box in boxes}
+    without = study_facts(runs).left_out
     return tuple(
         f"{listed(effects)} of the scenario has no place on {box} and is left out there." for box, effects in
         without.items() if effects

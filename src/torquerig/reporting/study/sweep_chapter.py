@@ -4,21 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from torquerig.recordings.recording import Recording
-from torquerig.reporting.figures.picture import Picture, picture, plot_name
-from torquerig.reporting.figures.signal_figure import signal_figure
-from torquerig.reporting.figures.sweep_figure import sweep_figure
+from torquerig.reporting.figures.page_picture import Picture, plot_name
 from torquerig.reporting.layout import Table, number, plain, words
 from torquerig.reporting.moving.matrix_model import study_model
 from torquerig.reporting.moving.page_scripts import data_script
-from torquerig.reporting.moving.signal_plot import signal_plot
-from torquerig.reporting.study import pictures, tables
+from torquerig.reporting.study import tables
 from torquerig.reporting.study.csv_tables import csv_text
-from torquerig.study.results import StudyRuns
 from torquerig.study.scoring import Decided, combinations, criteria_matrix
 from torquerig.study.sweep import SweptPoint, least_error
+
+if TYPE_CHECKING:
+    from torquerig.recordings.recording import Recording
+    from torquerig.reporting.study import pictures
+    from torquerig.study.results import StudyRuns
 
 MOST_SAMPLES = 600_000  # of the readings of all points together: 2 MB of the page
 FIRST_VIEW = 0.3  # [s] of each reading
@@ -92,6 +92,9 @@ def _errors_table(swept: Sequence[SweptPoint]) -> Table:
 
 
 def _picture(swept: Sequence[SweptPoint]) -> Picture:
+    from torquerig.reporting.figures.picture import picture
+    from torquerig.reporting.figures.sweep_figure import sweep_figure
+
     errors = {
         drive: [None if one is None else one[1] for one in found] for drive, found in _least_errors(swept).items()
     }
@@ -109,6 +112,8 @@ def _picture(swept: Sequence[SweptPoint]) -> Picture:
 
 
 def _point(at: int, point: SweptPoint, axes: Mapping[str, Sequence[str]], count: int) -> Mapping[str, Any]:
+    from torquerig.reporting.study import pictures
+
     decided, answer = point.decided, point.verdict
     made = decided.alternatives.get(answer.winner, decided.alternatives[decided.baseline])
     shown = pictures.filtered(made.drive, made.chain, point.runs)
@@ -123,6 +128,10 @@ def _point(at: int, point: SweptPoint, axes: Mapping[str, Sequence[str]], count:
 
 
 def _reading(at: int, where: str, shown: pictures.Filtered, count: int) -> Picture:
+    from torquerig.reporting.figures.picture import picture
+    from torquerig.reporting.figures.signal_figure import signal_figure
+    from torquerig.reporting.moving.signal_plot import signal_plot
+
     after = shown.after if shown.chain.stages else shown.before
     kept = min(shown.before.samples, max(MOST_SAMPLES // count, int(2 * FIRST_VIEW * shown.before.sample_rate)))
     before, after = _beginning(shown.before, kept), _beginning(after, kept)

@@ -20,7 +20,8 @@ from torquerig.scenario.model import Scenario
 from torquerig.simulation.batch_parts import BatchRun
 from torquerig.simulation.true_lines import without_lines
 from torquerig.simulation.united_runs import simulate_united, united
-from torquerig.study.loop_margin import UNSTABLE, has_stable_loop
+from torquerig.study.loop_figures import UNSTABLE
+from torquerig.study.loop_margin import has_stable_loop
 from torquerig.study.monte_carlo.drawn_study import DrawnStudy, error_column, residual_column
 from torquerig.study.monte_carlo.replayed_files import changed_file
 from torquerig.study.planned_drive import sample_span

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from torquerig.study.loop_margin import UNSTABLE
+from torquerig.study.loop_figures import UNSTABLE
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -16,7 +16,8 @@ from torquerig.reporting.diagnosis.pictures import mismatch_picture
 from torquerig.reporting.diagnosis.sentences import FEATURE_RESIDUAL, WORDS, mechanism_text
 from torquerig.reporting.diagnosis.summary import NO_MISMATCH, first_and_others, rendered
 from torquerig.reporting.diagnosis.tables import mismatch_table, rejected_table
-from torquerig.reporting.figures.picture import Picture, picture
+from torquerig.reporting.figures.page_picture import Picture
+from torquerig.reporting.figures.picture import picture
 from torquerig.reporting.layout import Table, plain
 
 LIMITS = (
