@@ -10,7 +10,7 @@ from torquerig.rig.assembly import Rig
 from torquerig.rig.load_lever import load_lever
 from torquerig.rig.terms import Load
 from torquerig.sensor_stages.amplifier import AmplifierLowPass
-from torquerig.simulation.simulator import SAMPLE_RATE
+from torquerig.simulation.sampling import SAMPLE_RATE
 from torquerig.simulation.twin.linear_twin import twin_of
 from torquerig.simulation.twin.plant import load_input
 

@@ -5,6 +5,7 @@
 ``batch``           many similar rigs at once
 ``lower``           from a rig to flat arrays; ``arrays``: the arrays; ``term_kinds/``: each kind of term
 ``ready``           a rig prepared for integration; ``inputs``: set-points and loads at every sample
+``sampling``        sample rate and settling time where nothing else is stated
 ``profile``         set-point over time; ``waves``: cosines of a rig; ``outputs``: outputs of a run
 ``condensation/``   modes far above the recorded band left out, with the error in the band
 ``kernel/``         the compiled loop

@@ -18,12 +18,10 @@ from torquerig.simulation.measured_places import Output, through_chains
 from torquerig.simulation.motor_limit import limits_reached
 from torquerig.simulation.outputs import as_arrays, channels_of, true_channels
 from torquerig.simulation.ready import Ready, ready
+from torquerig.simulation.sampling import SAMPLE_RATE, SETTLING
 from torquerig.simulation.step_choice import StepChoice, step_choice
 from torquerig.simulation.step_watch import watched
 from torquerig.version import __version__
-
-SAMPLE_RATE = 25_000.0  # [Hz] the rig's converter
-SETTLING = 1.5  # [s] the rig turns this long before the recording starts
 
 
 def simulate(

@@ -7,7 +7,7 @@ from typing import Annotated
 from pydantic import BaseModel, ConfigDict
 
 from torquerig.parameter import Parameter
-from torquerig.simulation.simulator import SAMPLE_RATE, SETTLING
+from torquerig.simulation.sampling import SAMPLE_RATE, SETTLING
 
 DURATION = 10.0  # [s] of a recording where nothing states another length
 

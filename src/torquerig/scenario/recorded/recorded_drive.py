@@ -17,7 +17,7 @@ from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.load_response import load_response
 from torquerig.scenario.reading import read_scenario
 from torquerig.scenario.recorded.recording_lines import SAME_RATIO, kinematics_of_recording
-from torquerig.simulation.simulator import SAMPLE_RATE
+from torquerig.simulation.sampling import SAMPLE_RATE
 
 if TYPE_CHECKING:
     from torquerig.filters.chains.filter_chain import Chain

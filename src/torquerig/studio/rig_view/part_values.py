@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import MISSING, Field, dataclass, fields
-from typing import Annotated, Any, Literal, get_args, get_origin, get_type_hints
+from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args, get_origin, get_type_hints
 
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import HOST_FIELDS, Part
 from torquerig.scenario.kinds import KINDS
-from torquerig.scenario.model import Scenario
+
+if TYPE_CHECKING:
+    from torquerig.scenario.model import Scenario
 
 SHELVES: Mapping[str, str] = {
     "motor": "motors", "gear": "gearboxes", "planetary_gear": "gearboxes", "fixed_axis_gear": "gearboxes",

@@ -23,4 +23,14 @@ class Plot(ui.element, component="page/studio_plot.js"):
 
     def show(self, view: Mapping[str, Any]) -> None:
         """Draw a view of ``torquerig.studio.what_if.plots``, or its curves in the plot that is there."""
-        self.run_method("show", dict(view))
+        from torquerig.studio.what_if.plot_items import plot_item
+
+        self.run_method("show", {**view, "item": plot_item(*view["plot"])})
+
+
+def prepare() -> None:
+    """Import what draws the first plot; to be called in a thread, while the first curves are computed."""
+    from torquerig.studio.what_if.plot_items import plot_item
+
+    plot_item("signal", ("before", "after", "load"), "torque [N m]")
+    plot_item("spectrum", ("before", "after"), "amplitude [N m]")

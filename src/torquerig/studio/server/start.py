@@ -86,12 +86,14 @@ def _serve(
     folder: Path, scenario: Path | None, port: int, token: str, compute: Compute, *, opens_browser: bool,
     catalogs: Sequence[Path], say: Callable[[str], None],
 ) -> None:  # fmt: skip
-    from nicegui import app, ui
+    from nicegui import app, run, ui
 
     from torquerig.studio.server.guard import Guard
+    from torquerig.studio.server.plot import prepare
     from torquerig.studio.server.tabs import Tabs
     from torquerig.studio.steps import STEPS
 
+    app.on_startup(lambda: run.io_bound(prepare))
     tabs = Tabs(folder, scenario, tuple(catalogs), compute)
     _serve_files()
     app.add_middleware(Guard, token=token, port=port)

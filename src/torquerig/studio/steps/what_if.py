@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from nicegui import background_tasks, ui
 
 from torquerig.errors import TorquerigError
@@ -10,9 +12,11 @@ from torquerig.studio.server.step import Step
 from torquerig.studio.server.tab import Tab
 from torquerig.studio.steps.what_if_answer import AnswerView
 from torquerig.studio.steps.what_if_form import WhatIfForm
-from torquerig.studio.what_if.asked import simulated, sized
+from torquerig.studio.what_if.asked import edits_of, simulated, sized
 from torquerig.studio.what_if.question import LENGTH, Question
-from torquerig.studio.what_if.taken_over import Edit, taken_over
+
+if TYPE_CHECKING:
+    from torquerig.studio.what_if.taken_over import Edit
 
 
 class _WhatIf:
@@ -32,7 +36,7 @@ class _WhatIf:
             self._take = button("Take over into the scenario", self._take_over)
         self._view = AnswerView()
         tab.on_change(self._form.show_document)
-        self._form.show_document()
+        background_tasks.create(self._form.show_document())
 
     def _ask(self) -> None:
         self._buttons()
@@ -68,13 +72,18 @@ class _WhatIf:
         enable(self._clear, self._form.is_changed)
         enable(self._take, self._form.is_changed)
 
-    def _take_over(self) -> None:
+    async def _take_over(self) -> None:
         question, tab = self._form.question(), self.tab
         if question is None:
             return
+        try:
+            edits = await tab.compute.run(edits_of, question)
+        except TorquerigError as error:
+            tab.say(str(error))
+            return
 
         def take() -> None:
-            for edit in taken_over(question, tab.session.catalog):
+            for edit in edits:
                 _apply(tab, edit)
             self._form.forget()
 

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from nicegui import ui
 
 from torquerig.plain_table import fixed
 from torquerig.reporting.figures.effort import shown_unit
 from torquerig.studio.server.elements import folded, say_in, shown, table_html, table_place, words
 from torquerig.studio.server.plot import Plot
-from torquerig.studio.what_if.answer import Simulated, Sized
-from torquerig.studio.what_if.question import Question
+
+if TYPE_CHECKING:
+    from torquerig.studio.what_if.answer import Simulated, Sized
+    from torquerig.studio.what_if.question import Question
 
 MOST_LINES = 12  # of the table: those that a page shows without scrolling
 SIZES = {
@@ -86,12 +90,18 @@ class _Figure:
     """A large figure with its name and one line of explanation."""
 
     def __init__(self, name: str, identity: str) -> None:
-        with ui.element("div"):
+        self._shown = 0
+        self._place = ui.element("div")
+        with self._place:
             words(name, "dt")
             self._large = words("–", "dd", kind="large").props(f"id={identity}")
             self._small = words("", "dd", kind="small")
 
     def show(self, large: str, small: str) -> None:
+        """Show other words; the page counts how often, so that a script can wait for the next ones."""
+        self._shown += 1
+        self._place.props["data-shown"] = self._shown
+        self._place.update()
         say_in(self._large, large)
         say_in(self._small, small)
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 from nicegui import ui
 
@@ -12,8 +14,11 @@ from torquerig.errors import TorquerigError
 from torquerig.studio.server.elements import say_in, words
 from torquerig.studio.server.fields import Field, choice, picker, text_field
 from torquerig.studio.server.tab import Tab
-from torquerig.studio.what_if.changeable import Changeable, changeable
+from torquerig.studio.what_if.asked import changeable_of
 from torquerig.studio.what_if.question import Question
+
+if TYPE_CHECKING:
+    from torquerig.studio.what_if.changeable import Changeable
 
 Keys = tuple[str, ...]
 
@@ -62,15 +67,15 @@ class WhatIfForm:
 
     def question(self) -> Question | None:
         """Return what is to be computed; None where no scenario can be used."""
-        document, known, changes = self.tab.document, self._known, self._state.changes
-        if document is None or known is None or document.good_text is None:
+        (path, text), known, changes = self._source, self._known, self._state.changes
+        if known is None:
             return None
         return Question(
-            path=document.path, text=document.good_text, motor=changes.motor, gearbox=changes.gearbox,
-            settings=changes.numbers, chain=changes.chain or known.chain, catalogs=self.tab.session.further,
+            path=Path(path), text=text, motor=changes.motor, gearbox=changes.gearbox, settings=changes.numbers,
+            chain=changes.chain or known.chain, catalogs=self.tab.session.further,
         )  # fmt: skip
 
-    def show_document(self) -> None:
+    async def show_document(self) -> None:
         """Take up the scenario of the tab where it is another one or was edited; the last good text counts."""
         document = self.tab.document
         text = None if document is None else document.good_text
@@ -78,14 +83,17 @@ class WhatIfForm:
             return
         if str(document.path) != self._source[0]:
             self._state = _State()
-        self._source = (str(document.path), text)
+        source = self._source = (str(document.path), text)
+        stated = Question(path=document.path, text=text, catalogs=self.tab.session.further)
         try:
-            self._known = changeable(text, document.path, self.tab.session.catalog)
+            known = await self.tab.compute.run(changeable_of, stated)
         except TorquerigError as error:
             self._say(str(error))
             return
-        self._draw(self._known)
-        self._asked()
+        if source == self._source:
+            self._known = known
+            self._draw(known)
+            self._asked()
 
     def undo(self) -> None:
         """Take the last change back."""

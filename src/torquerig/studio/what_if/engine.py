@@ -80,6 +80,10 @@ class WhatIf:
         stamp, catalog = self._catalog(question)
         return self._once(("sizing", *_drive_key(question), stamp), lambda: _sized(question, catalog))
 
+    def catalog(self, question: Question) -> Catalog:
+        """Return the catalog of a question's scenario; read again where a file of it has changed."""
+        return self._catalog(question)[1]
+
     def _recording(self, question: Question) -> tuple[Scenario, Recording]:
         stamp, catalog = self._catalog(question)
 
@@ -144,13 +148,6 @@ def chain_file(path: Path, data: Any) -> Path:
     filters = study.get("filters") if isinstance(study, dict) else None
     stated = filters.get("file") if isinstance(filters, dict) else None
     return path.parent / stated if isinstance(stated, str) else shipped_scenarios() / "filters.yaml"
-
-
-def stated_chain(data: Any) -> str:
-    """Return the name of the present filter chain of a scenario's study; ``none`` without a study."""
-    study = data.get("study") if isinstance(data, dict) else None
-    present = study.get("present") if isinstance(study, dict) else None
-    return str(present.get("filter", "none")) if isinstance(present, dict) else "none"
 
 
 def _chain(question: Question, made: Scenario) -> Chain:

@@ -6,6 +6,7 @@ import shlex
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 LENGTH = 2.0
 """Simulated time of every what-if [s]: ten turns of a shaft at 300 rpm, and 50 000 samples at 25 kHz."""
@@ -61,6 +62,13 @@ class Question:
             "filter": shlex.join(["torquerig", "filter", "what_if.parquet", "--chain", self.chain, *drive]),
             "size": shlex.join(["torquerig", "size", scenario, *seed, *changed]),
         }
+
+
+def stated_chain(data: Any) -> str:
+    """Return the name of the present filter chain of a scenario's study; ``none`` without a study."""
+    study = data.get("study") if isinstance(data, dict) else None
+    present = study.get("present") if isinstance(study, dict) else None
+    return str(present.get("filter", "none")) if isinstance(present, dict) else "none"
 
 
 def _option(name: str, value: str) -> list[str]:
