@@ -49,6 +49,8 @@ class Outcome:
         All lines that the nominal rig does not have.
     setup : tuple of SetupFault
         Corrected before all else.
+    judged : bool
+        Whether blocks are left to which a model can be compared; not where all are at a limit of the reading.
     """
 
     runs: tuple[MeasuredRun, ...]
@@ -60,6 +62,7 @@ class Outcome:
     stated_held: Data
     found: tuple[FoundLine, ...] = ()
     setup: tuple[SetupFault, ...] = ()
+    judged: bool = True
 
     @property
     def completed(self) -> Rig:
@@ -83,6 +86,7 @@ class Prepared:
     stated: Reading
     setup: tuple[SetupFault, ...]
     samples: tuple[Addition, ...] = ()
+    judged: bool = True
 
 
 def diagnose(
@@ -105,17 +109,18 @@ def diagnose(
     ready = prepared(scenario, recordings, held_out=held_out, progress=progress)
     runs, data, nominal = ready.runs, ready.data, ready.nominal
     progress("searching lines that the model lacks")
-    lines = search_lines([seen.run for seen in data.seen], ready.known, model_densities(nominal, data))
+    densities = model_densities(nominal, data)
+    lines = search_lines([seen.run for seen in data.seen], ready.known, densities) if ready.judged else ()
     places = [*ready.known, *(line.place for line in lines)]
     if lines:
         data = features_of(runs, places)
         nominal = fitted(nominal.rig, nominal.knobs, data, start=nominal.positions, gains=nominal.gains)
     held = features_of(runs, places, held_out=True)
-    model = searched(nominal, data, held, lines, progress=progress)
+    model = searched(nominal, data, held, lines, progress=progress) if ready.judged else Model(nominal, (), ())
     model = replace(model, additions=(*ready.samples, *model.additions))
     stated_held = features_of(ready.stated.runs, places, held_out=True) if ready.setup else held
     stated = ready.stated.fit if ready.setup else nominal
-    return Outcome(runs, data, held, nominal, model, stated, stated_held, lines, ready.setup)
+    return Outcome(runs, data, held, nominal, model, stated, stated_held, lines, ready.setup, ready.judged)
 
 
 def prepared(
@@ -136,7 +141,8 @@ def prepared(
     faults = sample_faults(recordings, rig)
     rig = faults.added_to(rig)
     progress("estimating the angle of the motor")
-    runs = with_held_out(usable_runs(measured_runs(faults.recordings, rig), faults.unusable), held_out)
+    usable, judged = usable_runs(measured_runs(faults.recordings, rig), faults.unusable)
+    runs = with_held_out(usable, held_out)
     known = sorted({order(line.order) for run in runs for line in Twin(rig.at(run.run)).lines()})
     knobs = parameters(scenario, rig, runs)
     progress("fitting the parameters of the nominal model")
@@ -146,9 +152,9 @@ def prepared(
         return seen, fitted(rig, knobs, seen)
 
     stated = Reading(runs, *nominal_fit(runs))
-    reading = best_reading(stated, rig, nominal_fit)
+    reading = best_reading(stated, rig, nominal_fit) if judged else stated
     return Prepared(
-        reading.runs, tuple(known), reading.data, reading.fit, stated, reading.faults, samples=faults.additions
+        reading.runs, tuple(known), reading.data, reading.fit, stated, reading.faults, faults.additions, judged
     )
 
 

@@ -87,17 +87,23 @@ def sample_faults(recordings: Sequence[Recording], rig: Rig) -> SampleFaults:
         stuck = [at_limit(each, limit=limit[1]) for each in recordings]
         unusable = tuple(each if too_long(each) else np.zeros_like(each) for each in stuck)
         recordings = tuple(rebuilt(each, limit=limit[1]) for each in recordings)
-    return SampleFaults(tuple(recordings), unusable, tuple(found))
+    return SampleFaults(tuple(recordings), unusable, tuple(each for each in found if each.is_named))
 
 
-def usable_runs(runs: Sequence[MeasuredRun], unusable: Sequence[NDArray[np.bool_]]) -> tuple[MeasuredRun, ...]:
-    """Return the runs without blocks of which too many samples are at a limit; all blocks where none is usable."""
+def usable_runs(
+    runs: Sequence[MeasuredRun], unusable: Sequence[NDArray[np.bool_]]
+) -> tuple[tuple[MeasuredRun, ...], bool]:
+    """Return the runs without blocks of which too many samples are at a limit, and whether enough are left.
+
+    Where the rest cannot both be fitted and judge a fit, all blocks are returned.
+    """
     kept = tuple(
         replace(run, blocks=tuple(block for block in run.blocks if flags[block.samples].mean() < _MOST_AT_LIMIT))
         for run, flags in zip(runs, unusable, strict=True)
     )
     both = {block.held_out for run in kept for block in run.blocks}
-    return kept if both == {True, False} else tuple(runs)
+    enough = both == {True, False}
+    return (kept if enough else tuple(runs)), enough
 
 
 def _codes(recordings: Sequence[Recording], rig: Rig, step: float) -> tuple[Addition, float] | None:
@@ -172,7 +178,10 @@ def _addition(
     rig: Rig, mechanism: str, gain: float, fixed: dict[str, tuple[float, float, str]], label: str, **values: float
 ) -> Addition:
     classes = {"quantization": "Quantization", "clipping": "Clipping", "signal_dropout": "SignalDropout"}
-    part: Part = getattr(mechanisms, classes[mechanism])(name=free_name(rig, mechanism), **values)
+    made = getattr(mechanisms, classes[mechanism], None)
+    if made is None:  # a library without it: the samples are repaired all the same
+        return Addition(kind="other", log_odds=_LOG_ODDS + gain, fixed=fixed, label=label)
+    part: Part = made(name=free_name(rig, mechanism), **values)
     return Addition(mechanism=mechanism, parts=(part,), log_odds=_LOG_ODDS + gain, fixed=fixed, label=label)
 
 

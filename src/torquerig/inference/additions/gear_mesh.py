@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from math import prod
 
 from torquerig import mechanisms
 from torquerig.diagnosis.fitting.knobs import Knob
@@ -10,12 +11,14 @@ from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.addition import DECADE, Addition, Reported, free_name
 from torquerig.inference.context import Context, harmonics
+from torquerig.orders.kinematics.belt import Belt
+from torquerig.orders.kinematics.teeth import Planetary, Spur
+from torquerig.orders.kinematics.worm import Worm
 from torquerig.rig.parts.gear_stage import gear_stages
 
 NAMES = ("gear_mesh",)
 
-_STATED, _WHOLE, _OTHER = -3.0, -6.5, -11.0  # log-odds at the stated number of teeth, of a gear that states none, and
-# at a whole number that contradicts the stated one
+_STATED, _WHOLE = -3.0, -6.5  # log-odds at the stated number of teeth, and at a whole one where none is stated
 _FEWEST = 8  # teeth of a wheel
 _HARMONICS = 4
 _SIDES = (1, 2, 3, 4, 5)  # times a turn that a mesh may be stronger: a wheel off its centre, an oval one, planets
@@ -23,28 +26,37 @@ _MODULATION, _MODULATION_SPREAD = 0.2, 1.0  # prior median, and of its logarithm
 
 
 def propose(context: Context) -> Iterator[Addition]:
-    """Yield a transmission error for each found order that is whole on the output of a gear."""
+    """Yield a transmission error of each gear for each found order of its teeth, or whole one where it states none."""
     turns = Twin(context.rig).turns
     for gear in gear_stages(context.rig):
         own = turns.get(context.rig.node(gear.name), 0.0)
-        stated = {round(stage.mesh_order_out) for stage in gear.teeth}
-        for line in context.lines if own and gear.kind != "belt" else ():
+        if not own or gear.kind == "belt":
+            continue
+        if gear.teeth:
+            for order, place in context.at_orders(own, _stated_orders(gear.teeth)).items():
+                yield from _mesh(context, gear.name, own, order, place, log_odds=_STATED)
+            continue
+        for line in context.lines:
             teeth = context.whole(line.place, own)
             if teeth is not None and teeth >= _FEWEST:
-                odds = _STATED if teeth in stated else _OTHER if stated else _WHOLE
-                multiples = context.multiples(line.place, most=_HARMONICS)
-                yield from _mesh(context, gear.name, own, teeth, multiples, log_odds=odds)
+                yield from _mesh(context, gear.name, own, float(teeth), line.place, log_odds=_WHOLE)
+
+
+def _stated_orders(teeth: Sequence[Planetary | Spur | Worm | Belt]) -> list[float]:
+    """Return the mesh orders of all stages of a gear, on its output."""
+    later = [prod(stage.ratio for stage in teeth[index + 1 :]) for index in range(len(teeth))]
+    return [stage.mesh_order_out * ratio for stage, ratio in zip(teeth, later, strict=True)]
 
 
 def _mesh(
-    context: Context, gear: str, turns: float, teeth: int, multiples: dict[int, Place], *, log_odds: float
+    context: Context, gear: str, turns: float, teeth: float, place: Place, *, log_odds: float
 ) -> Iterator[Addition]:
-    name = free_name(context.rig, "gear_mesh")
+    name, multiples = free_name(context.rig, "gear_mesh"), context.multiples(place, most=_HARMONICS)
     side, places = _side_lines(context, turns, teeth, multiples)
 
     def mesh(errors: tuple[float, ...]) -> mechanisms.GearMesh:
         return mechanisms.GearMesh(
-            name=name, gear=gear, order_output=float(teeth), transmission_error=errors, planets=side or 1,
+            name=name, gear=gear, order_output=teeth, transmission_error=errors, planets=side or 1,
             planet_modulation=_MODULATION if side else 0.0,
         )  # fmt: skip
 
@@ -57,19 +69,19 @@ def _mesh(
         yield Addition(
             mechanism="gear_mesh", parts=(mesh(found.row()),), knobs=(*found.knobs, *modulated), log_odds=log_odds,
             starts=((*found.start, *(0.0,) * len(modulated)),), places=(*multiples.values(), *places),
-            label=f"a transmission error of {gear} at order {teeth} of its output",
-            fixed={"order_output": (float(teeth), 0.0, "1/rev")},
+            label=f"a transmission error of {gear} at order {teeth:g} of its output",
+            fixed={"order_output": (teeth, 0.0, "1/rev")},
             reported=(Reported("transmission_error_rad", "transmission_error", "rad", key=0),),
         )  # fmt: skip
 
 
 def _side_lines(
-    context: Context, turns: float, teeth: int, multiples: dict[int, Place]
+    context: Context, turns: float, teeth: float, multiples: dict[int, Place]
 ) -> tuple[int, tuple[Place, ...]]:
     """Return the distance of found pairs of side lines from the mesh [1/rev], 0 where there are none, and the lines."""
     best, distance = dict[float, Place](), 0
     for side in _SIDES:
-        pairs = [(float(multiple * teeth - side), float(multiple * teeth + side)) for multiple in multiples]
+        pairs = [(multiple * teeth - side, multiple * teeth + side) for multiple in multiples]
         own = context.at_orders(turns, (order for pair in pairs for order in pair))
         own = {order: own[order] for pair in pairs if own.keys() >= set(pair) for order in pair}
         if len(own) > len(best):

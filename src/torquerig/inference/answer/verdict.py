@@ -15,6 +15,8 @@ from torquerig.inference.prediction.expected_run import expected_run
 
 def verdict(outcome: Outcome) -> str:
     """Return the contract's word for what was found."""
+    if not outcome.judged:
+        return "missing_physics"
     large = [each for each in nameless(outcome) if not is_minor(outcome, each)]
     if not explains(outcome, ()) or (large and not explains(outcome, large)):
         return "unexplained"
