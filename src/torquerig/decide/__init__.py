@@ -13,6 +13,7 @@ kesselring      weighted points on an absolute scale, as intervals where data is
 strength        technical against economic rating (S-diagram)
 monte_carlo     sampling of intervals, points and weights, each with a random stream by name
 kernel          the compiled sampling
+best_shares     share of samples in which each alternative is best, for many subsets
 robustness      share of Monte Carlo samples in which each alternative takes each rank
 flips           exact weights and the smallest changes of scores that flip the winner
 value_of_information  which missing fact to ask for first

@@ -124,6 +124,15 @@ class ValueFunction:
                 return low + (high - low) * (value - left) / (right - left)
         return self.knots[-1][1]
 
+    def over(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return :meth:`at` for many values, same shape and digits."""
+        found = np.full(values.shape, self.knots[-1][1], dtype=float)
+        for (left, low), (right, high) in reversed(list(pairwise(self.knots))):
+            below = values <= right
+            found[below] = low + (high - low) * (values[below] - left) / (right - left)
+        found[values <= self.knots[0][0]] = self.knots[0][1]
+        return found
+
     def span(self, low: float, high: float) -> tuple[float, float]:
         """Return the fewest and the most points that a value between ``low`` and ``high`` may get."""
         candidates = [self.at(low), self.at(high), *(points for value, points in self.knots if low < value < high)]

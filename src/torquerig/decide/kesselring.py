@@ -146,7 +146,7 @@ class KesselringResult:
         """Shared competition ranks by ``total``, shape (alternatives,)."""
         return competition_ranks(self.total)
 
-    @property
+    @cached_property
     def rank_range(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """The best and the worst rank that the total intervals allow."""
         return rank_intervals(self.total_low, self.total_high)

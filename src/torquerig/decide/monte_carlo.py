@@ -152,6 +152,18 @@ def points_at(cell: Cell, criterion: Criterion, profile: Profile, share: float) 
     return criterion.value.at(value_at(cell, share))
 
 
+def points_over(cell: Cell, criterion: Criterion, profile: Profile, shares: Array) -> Array:
+    """Return :func:`points_at` for many shares, same shape."""
+    if cell.unknown or criterion.value is None:
+        return profile.p_min + (profile.p_max - profile.p_min) * shares
+    low, high = cell.bounds
+    if 0 < low * WIDE < high:
+        values = np.array([value_at(cell, share) for share in shares.tolist()])
+    else:
+        values = low + (high - low) * shares
+    return criterion.value.over(values)
+
+
 def _key(seed: int, *names: str) -> int:
     text = "\0".join((str(seed), *names))
     return int.from_bytes(blake2b(text.encode(), digest_size=8).digest(), "little")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from torquerig.decide.cell import Cell
@@ -30,7 +31,14 @@ class CellTrace:
 
     def texts(self, label: str) -> tuple[str, ...]:
         """Return the texts of the steps with this label."""
-        return tuple(text for name, text in self.steps if name == label)
+        return self._by_label.get(label, ())
+
+    @cached_property
+    def _by_label(self) -> dict[str, tuple[str, ...]]:
+        found: dict[str, tuple[str, ...]] = {}
+        for name, text in self.steps:
+            found[name] = (*found.get(name, ()), text)
+        return found
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from torquerig.decide.criterion import YES_NO, Criterion
 from torquerig.decide.eliminate import Decision, eliminate
 from torquerig.decide.kesselring import TEACHING, KesselringResult, Profile, kesselring
-from torquerig.decide.monte_carlo import points_at, value_at
+from torquerig.decide.monte_carlo import points_over, value_at
 from torquerig.decide.ranks import TIE
 
 if TYPE_CHECKING:
@@ -136,7 +136,7 @@ def _missing_fact(
     for row, criterion in cells:
         cell = matrix.cell(matrix.alternatives[row], criterion.name)
         if criterion.weight > 0:
-            points = np.array([points_at(cell, criterion, result.profile, share) for share in shares.tolist()])
+            points = points_over(cell, criterion, result.profile, shares)
             middle = result.middle[row, result.criteria.index(criterion.name)]
             totals[row] += criterion.weight * (points - middle)
         if not criterion.wish:

@@ -9,6 +9,7 @@ from torquerig.decide.verdict import DECIDED
 from torquerig.study.rated_drives import rated_drives
 
 if TYPE_CHECKING:
+    from torquerig.decide.best_shares import SampledTotals
     from torquerig.study.results import DriveResult
     from torquerig.study.scoring import Decided
 
@@ -34,7 +35,7 @@ def ranking_of_draws(decided: Decided) -> str:
     )
 
 
-def best_new_motor_text(decided: Decided, names: Iterable[str]) -> str:
+def best_new_motor_text(decided: Decided, names: Iterable[str], samples: SampledTotals | None = None) -> str:
     """Return the best motor among these combinations, all with another motor than the present one.
 
     It is named as best only where it is so in at least ``DECIDED`` of the samples of the data alone; else the motors
@@ -43,7 +44,7 @@ def best_new_motor_text(decided: Decided, names: Iterable[str]) -> str:
     listed = tuple(names)
     if not listed:
         return ""
-    rated = rated_drives(decided, listed)
+    rated = rated_drives(decided, listed, samples)
     shares = share_by_motor(decided, dict(zip(rated.combinations["intervals"].alternatives,
                                          rated.combinations["intervals"].p_best.tolist(), strict=True)))  # fmt: skip
     first, share = next(iter(shares.items()))

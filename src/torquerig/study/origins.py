@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from torquerig.decide.cell import Origin
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from torquerig.scenario.catalog_values.filled import FromCatalog
     from torquerig.study.results import DriveResult
 
+MOST_ORIGINS = 4096  # catalog values whose text is remembered: each stands in some twenty cells
 METRIC_TEXTS: Mapping[str, str] = {
     "truth_error": "rms of the filtered reading minus the true load",
     "disturbance": "rms of all that is not load in the unfiltered reading, each group of lines omitted in turn",
@@ -72,6 +74,7 @@ def metric_text(metric: str, figure: Figure, *, chain: str | None, settings: Set
     return f"simulated for {settings.duration:g} s with seed {settings.seed}{behind}: {text}{samples}"
 
 
+@lru_cache(maxsize=MOST_ORIGINS)
 def _of_rig(one: FromCatalog) -> Origin:
     shown = one.known.shown()
     if not one.known.documented:

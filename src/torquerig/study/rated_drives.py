@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from torquerig.decide.best_shares import sampled_totals
 from torquerig.decide.eliminate import Decision, eliminate
 from torquerig.decide.kesselring import TEACHING, KesselringResult, kesselring
-from torquerig.decide.robustness import RankAcceptability, robustness
+from torquerig.decide.robustness import RankAcceptability
 from torquerig.decide.value_of_information import MissingFact, missing_facts
 from torquerig.decide.verdict import MatrixVerdict, verdict_of
 
 if TYPE_CHECKING:
+    from torquerig.decide.best_shares import SampledTotals
     from torquerig.decide.matrix import DecisionMatrix
     from torquerig.study.scoring import Decided
 
@@ -47,8 +49,13 @@ class RatedDrives:
         return tuple(one for one in found if self.matrix.cell(*one.cells[0]).unknown_reason)
 
 
-def rated_drives(decided: Decided, names: Iterable[str]) -> RatedDrives:
-    """Return the rated drives of these combinations; at least one.
+def samples_of(decided: Decided, names: Sequence[str]) -> SampledTotals:
+    """Return the Monte Carlo samples of these combinations, for :func:`rated_drives` of any of them."""
+    return sampled_totals(decided.matrix.only(alternatives=names))
+
+
+def rated_drives(decided: Decided, names: Iterable[str], samples: SampledTotals | None = None) -> RatedDrives:
+    """Return the rated drives of these combinations; at least one. ``samples`` are theirs, where they are known.
 
     Each drive is represented by its best filter. Its share of samples is that of all its filters among ``names``, which
     use the same samples.
@@ -57,7 +64,7 @@ def rated_drives(decided: Decided, names: Iterable[str]) -> RatedDrives:
     listed = [name for names_of in drives.values() for name in names_of]
     matrix = with_requirements(decided, tuple(drives))
     overall = kesselring(matrix, profile=TEACHING)
-    found = robustness(decided.matrix.only(alternatives=listed))
+    found = (samples_of(decided, listed) if samples is None else samples).best(listed)
     shares = {name: _of_drives(one, drives) for name, one in found.items()}
     return RatedDrives(
         matrix=matrix,

@@ -11,9 +11,10 @@ from torquerig.decide.verdict import Certainty, MatrixVerdict, verdict_of
 from torquerig.study.answer.what_to_do import WhatToDo, what_to_do
 from torquerig.study.answer.what_would_change import what_would_change
 from torquerig.study.drawn_motors import best_new_motor_text, is_drawn, ranking_of_draws
-from torquerig.study.rated_drives import feasible_combinations, rated_drives
+from torquerig.study.rated_drives import feasible_combinations, rated_drives, samples_of
 
 if TYPE_CHECKING:
+    from torquerig.decide.best_shares import SampledTotals
     from torquerig.decide.value_of_information import MissingFact
     from torquerig.study.results import DriveResult
     from torquerig.study.scoring import Decided
@@ -85,35 +86,36 @@ def verdict(decided: Decided) -> Verdict:
             winner="", certainty=empty.certainty, p_best=0.0, best_shares={}, shares={}, facts=(),
             answer=what_to_do(decided, empty),
         )  # fmt: skip
-    rated = rated_drives(decided, names)
+    samples = samples_of(decided, names)
+    rated = rated_drives(decided, names, samples)
     made, together = rated.verdict, rated.combinations["together"]
-    answer = what_to_do(decided, made)
+    answer = what_to_do(decided, made, samples)
     return Verdict(
         winner=made.winners[0], certainty=answer.certainty, p_best=together.best_share(made.winners[0]),
         best_shares=made.best_shares,
         shares=dict(zip(together.alternatives, together.p_best.tolist(), strict=True)),
-        answer=answer, facts=rated.facts, changes=what_would_change(rated), remarks=_remarks(decided, made),
+        answer=answer, facts=rated.facts, changes=what_would_change(rated), remarks=_remarks(decided, made, samples),
     )  # fmt: skip
 
 
-def _remarks(decided: Decided, made: MatrixVerdict) -> tuple[str, ...]:
+def _remarks(decided: Decided, made: MatrixVerdict, drawn: SampledTotals) -> tuple[str, ...]:
     """Return how far the data carries the ranking, and the next best."""
     shares = made.best_shares
     samples = (
         f"This drive is best in {100 * shares['together']:.0f} % of the Monte Carlo samples of data, points and "
         f"weights, and in {100 * shares['intervals']:.0f} % of those of the data alone."
     )
-    return tuple(one.strip() for one in (samples, ranking_of_draws(decided), _next_best(decided, made)) if one)
+    return tuple(one.strip() for one in (samples, ranking_of_draws(decided), _next_best(decided, made, drawn)) if one)
 
 
-def _next_best(decided: Decided, made: MatrixVerdict) -> str:
+def _next_best(decided: Decided, made: MatrixVerdict, drawn: SampledTotals) -> str:
     """Return the sentence on the next best: an equal one, the new motors if the draws part them, or the runner-up."""
     if len(made.winners) > 1:
         return f" Equally good is {made.winners[1].replace(' | ', ' with ')}."
     now = decided.alternatives[decided.baseline].drive
     new = [name for name in decided.ranked() if _bought(decided, name, now)]
     if new and (new[0] != made.winners[0] or is_drawn(decided.alternatives[new[0]].drive)):
-        return best_new_motor_text(decided, new)
+        return best_new_motor_text(decided, new, drawn)
     return f" The next is {made.runner_up.replace(' | ', ' with ')}." if made.runner_up else ""
 
 

@@ -11,6 +11,7 @@ from torquerig.study.drawn_motors import share_by_motor
 from torquerig.study.rated_drives import rated_drives
 
 if TYPE_CHECKING:
+    from torquerig.decide.best_shares import SampledTotals
     from torquerig.decide.value_of_information import MissingFact
     from torquerig.study.scoring import Decided
 
@@ -40,12 +41,12 @@ class BestMotors:
     facts: tuple[MissingFact, ...]
 
 
-def best_motors(decided: Decided, names: Iterable[str]) -> BestMotors | None:
+def best_motors(decided: Decided, names: Iterable[str], samples: SampledTotals | None = None) -> BestMotors | None:
     """Return the motors that are best among these combinations; None where there is none."""
     listed = tuple(names)
     if not listed:
         return None
-    rated = rated_drives(decided, listed)
+    rated = rated_drives(decided, listed, samples)
     data = rated.combinations["intervals"]
     shares = share_by_motor(decided, dict(zip(data.alternatives, data.p_best.tolist(), strict=True)))
     kept = [motor for motor, share in shares.items() if share >= RARE] or [next(iter(shares))]

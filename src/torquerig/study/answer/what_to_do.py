@@ -11,6 +11,7 @@ from torquerig.study.answer.open_questions import OpenQuestion, open_questions
 from torquerig.study.rated_drives import feasible_combinations
 
 if TYPE_CHECKING:
+    from torquerig.decide.best_shares import SampledTotals
     from torquerig.metrics.figure import Figure
     from torquerig.study.results import DriveResult
     from torquerig.study.scoring import Alternative, Decided
@@ -60,20 +61,20 @@ class WhatToDo:
         return f"{self.certainty}, if {' and '.join(conditions)}"
 
 
-def what_to_do(decided: Decided, made: MatrixVerdict) -> WhatToDo:
-    """Return the answer of a study from the verdict on its drives."""
+def what_to_do(decided: Decided, made: MatrixVerdict, samples: SampledTotals | None = None) -> WhatToDo:
+    """Return the answer of a study from the verdict on its drives, and the samples of the feasible combinations."""
     if not made.winners:
         return WhatToDo(sentences=NOBODY, certainty=made.certainty)
     winner = made.winners[0]
     questions, certainty = open_questions(decided, winner), _certainty(decided, made)
     if made.best_shares["intervals"] < DECIDED and certainty is Certainty.OPEN:
-        among = best_motors(decided, feasible_combinations(decided))
+        among = best_motors(decided, feasible_combinations(decided), samples)
         assert among is not None
         sentences: tuple[str, ...] = _not_clear(decided, among)
     else:
         sentences = (_action(decided, winner), *_equal(decided, made))
     for question in questions:
-        sentences += (f"Open question: {question.sentence()}", *_otherwise(decided, question))
+        sentences += (f"Open question: {question.sentence()}", *_otherwise(decided, question, samples))
     answer = WhatToDo(
         sentences=sentences, certainty=certainty, questions=questions, figures=_figures(decided, made, certainty)
     )
@@ -167,11 +168,11 @@ def _ask(among: BestMotors) -> tuple[str, ...]:
     return (f"Before you buy, ask the maker {'' if fact.startswith('whether ') else 'for the '}{fact}.",)
 
 
-def _otherwise(decided: Decided, question: OpenQuestion) -> tuple[str, ...]:
+def _otherwise(decided: Decided, question: OpenQuestion, samples: SampledTotals | None) -> tuple[str, ...]:
     """Return what to do if the answer to a question eliminates the winner."""
     fails = "If not, the requirement" if question.missing.startswith("whether ") else "If it is missed, the requirement"
     out = f"{fails} {question.requirement} eliminates this drive"
-    among = best_motors(decided, question.remaining)
+    among = best_motors(decided, question.remaining, samples)
     if among is None:
         return (f"{out}, and no other one is left.",)
     if among.is_clear:

@@ -1,0 +1,150 @@
+"""Share of Monte Carlo samples in which each alternative is best, for many subsets of the alternatives of one matrix.
+
+The samples are those of :mod:`torquerig.decide.robustness`, from the same random streams, but their totals stay. So
+another subset costs no further samples. Only the first rank is counted, by arrays: no compiled kernel is loaded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.decide.kesselring import TEACHING, Profile
+from torquerig.decide.monte_carlo import SamplingPlan, Uncertainty, sampling_plan, separate_uncertainties
+from torquerig.decide.ranks import TIE
+from torquerig.decide.robustness import RankAcceptability
+
+if TYPE_CHECKING:
+    from torquerig.decide.matrix import DecisionMatrix
+
+Array = NDArray[np.float64]
+DRAWS = 10_000
+_GOLDEN, _FIRST, _SECOND = (
+    np.uint64(number) for number in (0x9E3779B97F4A7C15, 0xBF58476D1CE4E5B9, 0x94D049BB133111EB)
+)  # of SplitMix64, as in the kernel
+_ONE, _LOW = np.uint64(0x3FF0000000000000), np.uint64(0xFFFFFFFF)
+
+
+@dataclass(frozen=True)
+class SampledTotals:
+    """T of each alternative in each sample, by what is sampled.
+
+    Parameters
+    ----------
+    alternatives : tuple of str
+    uncertainties : mapping of str to Uncertainty
+        ``intervals``, ``scores``, ``weights``, ``together``.
+    totals : mapping of str to ndarray, shape (alternatives, samples)
+    whole : mapping of str to ndarray, shape (samples,)
+        Sums of the weights.
+    seed : int
+    largest : float
+        Most points of the scale.
+    """
+
+    alternatives: tuple[str, ...]
+    uncertainties: Mapping[str, Uncertainty]
+    totals: Mapping[str, Array]
+    whole: Mapping[str, Array]
+    seed: int
+    largest: float
+
+    def best(self, names: Sequence[str]) -> dict[str, RankAcceptability]:
+        """Return the acceptability of these alternatives among each other, of the first rank alone."""
+        places = {name: row for row, name in enumerate(self.alternatives)}
+        rows = [places[name] for name in names]
+        found = {}
+        for what, totals in self.totals.items():
+            chosen = totals[rows]
+            found[what] = RankAcceptability(
+                alternatives=tuple(names), shares=_first(chosen)[:, None],
+                mean_share=(chosen / self.whole[what]).mean(axis=1) / self.largest,
+                uncertainty=self.uncertainties[what], draws=totals.shape[1], seed=self.seed,
+            )  # fmt: skip
+        return found
+
+
+def sampled_totals(
+    matrix: DecisionMatrix, *, profile: Profile = TEACHING, uncertainty: Uncertainty | None = None, draws: int = DRAWS,
+    seed: int = 0,
+) -> SampledTotals:  # fmt: skip
+    """Return samples of the totals of a matrix for ``intervals``, ``scores``, ``weights`` alone, and ``together``."""
+    separate = separate_uncertainties(Uncertainty() if uncertainty is None else uncertainty)
+    plans = {name: sampling_plan(matrix, profile=profile, uncertainty=one, seed=seed) for name, one in separate.items()}
+    steps = _GOLDEN * np.arange(draws, dtype=np.uint64)
+    weights = {name: _weights(plan, steps) for name, plan in plans.items()}
+    totals = {name: np.zeros((len(matrix.alternatives), draws)) for name in plans}
+    first = next(iter(plans.values()))
+    for column in range(len(first.weights[0])):
+        before: tuple[object, Mapping[str, Array | float]] = (None, {})
+        for row in range(len(matrix.alternatives)):
+            same = [tuple(np.asarray(part[row, column]).tobytes() for part in plan.cells) for plan in plans.values()]
+            if before[0] != same:  # alternatives of one drive share its facts
+                before = (same, _points(plans, row, column, steps))
+            for name, points in before[1].items():
+                totals[name][row] += weights[name][column] * points
+    whole = {name: np.sum(np.broadcast_arrays(*each, np.zeros(draws)), axis=0) for name, each in weights.items()}
+    return SampledTotals(matrix.alternatives, separate, totals, whole, seed, float(first.scale[1]))
+
+
+def _weights(plan: SamplingPlan, steps: NDArray[np.uint64]) -> list[Array | float]:
+    """Return the weight of each criterion: one number, or one for each sample."""
+    given, keys, half_widths = plan.weights
+    return [
+        weight * (1.0 + half * (2.0 * _uniforms(key, steps)[0] - 3.0)) if half > 0 else float(weight)
+        for weight, key, half in zip(given, keys, half_widths, strict=True)
+    ]
+
+
+def _points(
+    plans: Mapping[str, SamplingPlan], row: int, column: int, steps: NDArray[np.uint64]
+) -> dict[str, Array | float]:
+    """Return the points of one cell: one number, or one for each sample."""
+    found: dict[str, Array | float] = {}
+    drawn: tuple[Array, Array] | None = None
+    for name, plan in plans.items():
+        keys, start, width, logarithmic, base, slope, knots, turns, bends, half_widths = (
+            part[row, column] for part in plan.cells
+        )
+        points: Array | float = float(base)
+        if width > 0 or half_widths > 0:
+            drawn = drawn or _uniforms(keys, steps)
+            if width > 0:
+                value = start + width * (drawn[0] - 1.0)
+                value = np.exp(value) if logarithmic else value
+                points = base + slope * value
+                for bend in range(bends):
+                    points = points + turns[bend] * np.maximum(value - knots[bend], 0.0)
+            if half_widths > 0:
+                points = np.clip(points + half_widths * (2.0 * drawn[1] - 3.0), *plan.scale)
+        found[name] = points
+    return found
+
+
+def _uniforms(key: np.uint64, steps: NDArray[np.uint64]) -> tuple[Array, Array]:
+    """Return two uniforms in 1..2 for each sample, from 32 bits of the hash each."""
+    number = steps + key
+    number = (number ^ (number >> np.uint64(30))) * _FIRST
+    number = (number ^ (number >> np.uint64(27))) * _SECOND
+    number ^= number >> np.uint64(31)
+    upper = ((number >> np.uint64(32)) << np.uint64(20)) | _ONE
+    lower = ((number & _LOW) << np.uint64(20)) | _ONE
+    return upper.view(np.float64), lower.view(np.float64)
+
+
+def _first(totals: Array) -> Array:
+    """Return the share of samples in which each row is first; rows that tie share it equally."""
+    leads = totals >= totals.max(axis=0) - TIE
+    several = leads.sum(axis=0) > 1
+    counts = leads[:, ~several].sum(axis=1).astype(float)
+    if several.any():
+        tied, values = leads[:, several], totals[:, several]
+        for row in np.flatnonzero(tied.any(axis=1)):
+            at = tied[row]
+            same = (np.abs(values[:, at] - values[row, at]) <= TIE).sum(axis=0)
+            counts[row] += (1.0 / same).sum()
+    return np.asarray(counts / totals.shape[1])
