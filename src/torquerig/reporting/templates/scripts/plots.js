@@ -8,6 +8,17 @@ function readData(id) {
   return JSON.parse(document.getElementById(id).textContent);
 }
 
+let library = null; // the plotting library, once it is asked for
+
+function loadLibrary() {
+  library = library || unpacked(document.getElementById("plot-library").textContent).text().then((text) => {
+    const made = document.createElement("script");
+    made.textContent = text;
+    document.head.append(made);
+  });
+  return library;
+}
+
 async function plotData(id) {
   const data = readData(`data-${id}`);
   const curves = {};
@@ -21,7 +32,7 @@ async function plotData(id) {
 
 async function openPlot(id) {
   if (plotsOnPage.has(id)) return plotsOnPage.get(id);
-  const plot = plotData(id).then(async ({ data, curves }) => {
+  const plot = Promise.all([plotData(id), loadLibrary()]).then(async ([{ data, curves }]) => {
     const pyramids = Object.fromEntries(Object.entries(curves).map(([name, curve]) => [name, makePyramid(curve)]));
     const views = await Bokeh.embed.embed_item(data.item, id);
     const view = views.get_by_id ? views.get_by_id(data.item.root_id) : views.roots[0], made = view.model.document;

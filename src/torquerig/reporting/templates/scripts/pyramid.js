@@ -5,10 +5,13 @@ const FIRST_BLOCK = 4, NEXT_BLOCK = 2; // samples of the smallest block; blocks 
 const CROWDED = 40; // strokes over the whole height on a page's width: one in some 30 pixels
 const DRAWN_AS_IS = 3; // samples a column of pixels up to which the samples themselves are drawn
 
+function unpacked(text) {
+  const bytes = Uint8Array.from(atob(text), (one) => one.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip")));
+}
+
 async function unpackCurve(curve) {
-  const bytes = Uint8Array.from(atob(curve.packed), (one) => one.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-  const planes = new Uint8Array(await new Response(stream).arrayBuffer());
+  const planes = new Uint8Array(await unpacked(curve.packed).arrayBuffer());
   const values = new Float64Array(curve.samples), count = curve.samples;
   let code = 0;
   for (let at = 0; at < count; at += 1) { // differences of either sign, low bytes first: see packed_curve.py
