@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -69,13 +70,26 @@ class Stretch:
     matrix: Floats
     source: Floats
 
-    def propagators(self, time: float) -> tuple[Floats, Floats]:
-        """Return ``exp(A t)``, shape (2, 2), and the rise from zero, shape (2,)."""
+    @cached_property
+    def _parts(self) -> tuple[float, float, Floats, Floats]:
+        """Both eigenvalues, and what each one's functions are multiplied by."""
         upper, lower = eigenvalues(self.matrix)
         first = (self.matrix - lower * IDENTITY) / (upper - lower)
-        second = IDENTITY - first
-        decay = np.exp(upper * time) * first + np.exp(lower * time) * second
-        return decay, (_gathered(upper, time) * first + _gathered(lower, time) * second) @ self.source
+        return upper, lower, first, IDENTITY - first
+
+    @cached_property
+    def _known(self) -> dict[float, tuple[Floats, Floats]]:
+        """The propagators by their time: a cycle needs those of its stretches again for every start."""
+        return {}
+
+    def propagators(self, time: float) -> tuple[Floats, Floats]:
+        """Return ``exp(A t)``, shape (2, 2), and the rise from zero, shape (2,)."""
+        if time not in self._known:
+            upper, lower, first, second = self._parts
+            decay = np.exp(upper * time) * first + np.exp(lower * time) * second
+            gained = (_gathered(upper, time) * first + _gathered(lower, time) * second) @ self.source
+            self._known[time] = decay, gained
+        return self._known[time]
 
     def after(self, time: float, start: Floats) -> Floats:
         """Return the temperature rises after ``time`` [s], from ``start`` [K], shape (2,)."""
@@ -87,7 +101,7 @@ class Stretch:
 
         Its slope is a sum of two exponentials, which is zero once at most.
         """
-        upper, lower = eigenvalues(self.matrix)
+        upper, lower, _, _ = self._parts
         slope = self.matrix @ start + self.source
         first = ((self.matrix - lower * IDENTITY) @ slope)[0] / (upper - lower)
         second = slope[0] - first
