@@ -35,7 +35,7 @@ UNNAMED = {
     "explanation": "The recordings show a torque at order 9 of pump. No mechanism of the library explains it.",
 }  # fmt: skip
 DATA = {
-    "verdict": "unexplained", "findings": [FINDING], "unnamed": [UNNAMED], "setup": [],
+    "verdict": "unexplained", "findings": [FINDING], "unnamed": [UNNAMED], "setup": [], "mismatch": [],
     "fit": {"before": {"heldout_misfit": 5.0, "nominal": 9.0}, "after": {"heldout_misfit": 1.1}},
     "rms": {"unit": "N*m", "before": 1.69, "after": 0.44, "after_named_only": 0.9, "true_model": 0.3,
             "recordings": [{"file": "run1.parquet", "before": 1.69, "after": 0.44}]},
@@ -69,6 +69,13 @@ def test_every_verdict_has_its_sentences(verdict):
     shown = first_screen(data)
     assert "1.69 to 0.44 N m rms" in " ".join(shown.sentences)
     assert all(len(one.split()) < 40 for one in shown.sentences)
+
+
+def test_what_nothing_explains_is_located_in_words():
+    row = {"domain": "order", "axis": "motor_shaft", "at": 3.0, "width": 0.01, "recordings": ["run1.parquet"],
+           "excess_dB": 12.0, "share_of_misfit": 0.4, "p_value": 1e-9}  # fmt: skip
+    said = verdict_of(changed(findings=[], unnamed=[], mismatch=[{**row, "at": 9.0, "share_of_misfit": 0.1}, row]))
+    assert "The largest residual is at order 3 of the motor shaft, in run1.parquet." in said
 
 
 def test_alternatives_are_judged_by_class():

@@ -10,7 +10,7 @@ import numpy as np
 from torquerig.inference.answer.confidence import confidence, far_numbers, named, nameless
 from torquerig.inference.answer.effects import finding, unnamed
 from torquerig.inference.answer.held_out_figures import fit_figures
-from torquerig.inference.answer.isolated import next_experiment, upper_limits
+from torquerig.inference.answer.isolated import next_experiment, next_experiment_for_nameless, upper_limits
 from torquerig.inference.answer.located import differences, remaining
 from torquerig.inference.answer.numbers import digits
 from torquerig.inference.answer.rms import rms_errors
@@ -42,6 +42,7 @@ def as_json(outcome: Outcome) -> dict[str, Any]:
         "rms": rms_errors(outcome),
         "upper_limits": upper_limits(outcome) if word == "adequate" else [],
         "set_aside": rejected(outcome),
+        "next_experiment": next_experiment_for_nameless(outcome),
         "model": None,
         "recordings": [
             {"file": run.name, "speed_rpm": digits(float(np.mean(run.speed)) * 30 / pi), "used_for": _use(run)}

@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from torquerig.inference.addition import Addition
-from torquerig.inference.answer.confidence import alternatives, equivalent_to
+from torquerig.inference.answer.confidence import ALIKE, alternatives, equivalent_to, nameless
+from torquerig.inference.answer.sizes import size
+from torquerig.inference.answer.verdict import is_minor
 from torquerig.inference.engine import Outcome
 from torquerig.inference.isolability.limits import as_limit, best_by_mechanism, smallest
 from torquerig.inference.isolability.probes import hypotheses, probed
@@ -24,11 +26,25 @@ def next_experiment(outcome: Outcome, each: Addition) -> str | None:
     """Return which further run separates a finding from the nearest mechanism that it may be instead, or None."""
     alike = set(equivalent_to(outcome, each))
     other = next((one for one, _ in alternatives(outcome, each) if one.mechanism in alike), None)
-    if other is None:
+    return None if other is None else _separating(outcome, each, other, names=(each.mechanism, other.mechanism))
+
+
+def next_experiment_for_nameless(outcome: Outcome) -> str | None:
+    """Return which further run separates the largest nameless effect from the nearest hypothesis, or None.
+
+    None too where no hypothesis is near, or all nameless effects are minor.
+    """
+    large = [each for each in nameless(outcome) if not is_minor(outcome, each)]
+    if not large:
         return None
+    each = max(large, key=lambda one: size(outcome, one))
+    other = next((one for one, gap in alternatives(outcome, each) if gap < ALIKE), None)
+    return None if other is None else _separating(outcome, each, other, names=(each.label, other.label))
+
+
+def _separating(outcome: Outcome, each: Addition, other: Addition, *, names: tuple[str, str]) -> str | None:
     fit = outcome.model.fit
     instead = exchanged(fit, outcome.data, less=each, more=other)
     if instead is None:
         return None
-    names = (each.mechanism, other.mechanism)
     return separating_run(outcome.completed, instead, outcome.data.seen, fit.off, names=names)

@@ -55,7 +55,8 @@ def likelihood_page(
     content = {
         "limits": LIMITS, "metric": data["fit"]["metric"], "answer": first_screen(data),
         "verdict": {**WORDS, "setup_error": "set-up error"}[data["verdict"]], "sentence": verdict_of(data),
-        "figures": _figures(data), "findings": tuple(map(_finding, data["findings"])), "next_experiment": None,
+        "figures": _figures(data), "findings": tuple(map(_finding, data["findings"])),
+        "next_experiment": data["next_experiment"],
         "further_tables": tuple(each for each in further if each is not None), "remarks": remarks_of(data),
         "mismatch": mismatch_table(listed, sizes=_SIZES) if listed else None,
         "mismatch_picture": mismatch_picture(listed),

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from torquerig.reporting.diagnosis.sentences import FEATURE_RESIDUAL, mechanism_text
+from torquerig.diagnosis.outcome import Mismatch
+from torquerig.reporting.diagnosis.sentences import FEATURE_RESIDUAL, mechanism_text, place_text
 from torquerig.reporting.layout import plain
 
 
@@ -27,7 +28,17 @@ def verdict_of(data: Mapping[str, Any]) -> str:
     if verdict == "missing_physics":
         return f"{lacks}With what was found, the {name} {change}. A true model has about 1."
     more = "Something more" if named else "Something"
-    return f"{lacks}{more} is missing that no mechanism of the library explains. The {name} {change}."
+    return f"{lacks}{more} is missing that no mechanism of the library explains.{_place(data)} The {name} {change}."
+
+
+def _place(data: Mapping[str, Any]) -> str:
+    """Return where the largest residual is if nothing was found that locates it."""
+    rows = data["mismatch"]
+    if data["findings"] or data["unnamed"] or not rows:
+        return ""
+    row = max(rows, key=lambda one: one["share_of_misfit"])
+    place = place_text(Mismatch(**{**row, "recordings": tuple(row["recordings"])}))
+    return f" The largest residual is {place}, in {' and '.join(row['recordings'][:2])}."
 
 
 def remarks_of(data: Mapping[str, Any]) -> list[str]:
