@@ -168,6 +168,20 @@ def test_a_random_load_that_no_scenario_states_is_named(benches):
 
 
 @pytest.mark.long
+def test_friction_that_differs_by_direction_has_sizes_of_both(tmp_path):
+    tared = bench(FREE.replace("noise_rms", "zero_tolerance: 0.01 N*m, noise_rms"), tmp_path)  # a zero looks alike
+    part = mechanisms.StribeckFriction(
+        name="x", at="pump", coulomb=0.3, static=0.3, stribeck_speed=5.0, coulomb_backward=0.6, static_backward=0.6
+    )
+    data = answered(tared, recorded(tared, [part], runs=((1200, 0),), profile="reversal"))
+    finding = data["findings"][0]
+    assert (finding["mechanism"], finding["variant"]) == ("stribeck_friction", "by_direction")
+    for side, true in (("forward", 0.3), ("backward", 0.6)):
+        low, high = finding["parameters"][f"coulomb_Nm_{side}"]["ci95"]
+        assert low < true < high
+
+
+@pytest.mark.long
 @pytest.mark.parametrize("name", BENCHES)
 def test_nothing_is_named_where_nothing_is_missing(benches, name):
     assert answered(benches[name], recorded(benches[name]))["findings"] == []

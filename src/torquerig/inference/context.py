@@ -12,6 +12,7 @@ import numpy as np
 from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.addition import DECADE, start_of
+from torquerig.inference.blocks import STANDSTILL
 from torquerig.inference.features.line_search import FoundLine
 from torquerig.inference.fit import Data, Fit, all_residuals
 from torquerig.inference.likelihood import BAND, floor_density
@@ -90,6 +91,13 @@ class Context:
     def whole(self, place: Place, turns: float = 1.0) -> int | None:
         """Return the whole order that a found line is at on a shaft of so many turns per turn of the motor, or None."""
         return whole_order(place.at / turns, within=self.order_error) if place.domain == "order" else None
+
+    @cached_property
+    def turns_both_ways(self) -> bool:
+        """Whether the motor turns forward in some and backward in other parts of the runs."""
+        speeds = [seen.level_speed for seen in self.data.seen if seen.level_speed.size]
+        least = STANDSTILL * max((float(np.abs(each).max()) for each in speeds), default=0.0)
+        return any(each.max() > least for each in speeds) and any(each.min() < -least for each in speeds)
 
     def fastest(self, shaft: Shaft) -> float:
         """Return the largest speed of a shaft [rad/s]."""

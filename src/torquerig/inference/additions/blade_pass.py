@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.looking.places import Place
-from torquerig.inference.addition import DECADE, Addition, Reported, free_name, start_of
+from torquerig.inference.addition import Addition, Reported, free_name
 from torquerig.inference.context import Context
+from torquerig.inference.one_size import one_size
 from torquerig.inference.shafts import Shaft
 
 NAMES = ("blade_pass",)
 
-_LOG_ODDS = -5.0  # of this number of blades
+_ONE_WAY = -6.5  # of pulses that push against forward motion, as those of a pump
+_LOG_ODDS = -4.5  # of this number of blades: one in seven loads has some, mostly 3 to 14
 _MOST = 24  # blades
 _HARMONICS = 3  # of a pulse: 100, 35 and 4 % of the power of the first; the others have less than 0.1 %
 
@@ -31,16 +32,20 @@ def propose(context: Context) -> Iterator[Addition]:
 
 
 def _blades(context: Context, shaft: Shaft, blades: int, place: Place) -> Iterator[Addition]:
+    """Yield pulses against the motion and, where the runs turn both ways, some that push one way."""
     name = free_name(context.rig, "blade_pass")
-    unit = mechanisms.BladePass(name=name, at=shaft.part, order_output=float(blades), amplitude=1.0)
-    value, median = context.size_of(unit, place)
-    if median:
-        lines = context.at_orders(shaft.turns, (float(blades * one) for one in range(1, _HARMONICS + 1)))
-        yield Addition(
-            mechanism="blade_pass", knobs=(Knob(name, "amplitude", DECADE),), starts=((start_of(value, median),),),
-            parts=(mechanisms.BladePass(name=name, at=shaft.part, order_output=float(blades), amplitude=median),),
-            places=tuple(lines.values()),
-            log_odds=_LOG_ODDS, label=f"a load pulse of each of {blades} blades at {shaft.part}",
+    lines = context.at_orders(shaft.turns, (float(blades * one) for one in range(1, _HARMONICS + 1)))
+    for one_way in (False, True) if context.turns_both_ways else (False,):
+
+        def pulses(size: float, one_way: bool = one_way) -> mechanisms.BladePass:
+            return mechanisms.BladePass(
+                name=name, at=shaft.part, order_output=float(blades), amplitude=size, one_way=one_way
+            )
+
+        yield from one_size(
+            context, pulses, field="amplitude", place=place, places=lines.values(), mechanism="blade_pass",
+            variant="one_way" if one_way else "", log_odds=_ONE_WAY if one_way else _LOG_ODDS,
+            label=f"a load pulse of each of {blades} blades at {shaft.part}",
             fixed={"order_output": (float(blades), 0.0, "1/rev")},
             reported=(Reported("amplitude_Nm", "amplitude", "N*m"),),
         )  # fmt: skip

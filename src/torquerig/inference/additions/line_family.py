@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import log
 
 from torquerig import mechanisms
 from torquerig.diagnosis.fitting.knobs import Knob
@@ -11,7 +12,10 @@ from torquerig.inference.addition import DECADE, Addition, free_name
 from torquerig.inference.context import Context, harmonics
 from torquerig.inference.shafts import Shaft
 
-_WHOLE, _ANY = -6.0, -9.0  # log-odds of a line at a whole order of a shaft, and anywhere on the search grid
+_WHOLE, _ANY = (
+    -6.0,
+    -9.0,
+)  # log-odds of a line at a whole order, and anywhere on the grid, on all shafts together
 _HARMONICS = 6
 _CLEAREST = 8  # lines; others follow when these are explained
 
@@ -39,6 +43,6 @@ def _family(context: Context, shaft: Shaft, place: Place) -> Iterator[Addition]:
         part = ripple({multiple * first: median for multiple, median in found.medians.items()})
         yield Addition(
             kind="line_family", parts=(part,), knobs=tuple(found.knobs), starts=(tuple(found.start),),
-            places=tuple(multiples.values()), log_odds=_WHOLE if whole else _ANY,
+            places=tuple(multiples.values()), log_odds=(_WHOLE if whole else _ANY) - log(len(context.shafts)),
             label=f"a torque at order {first:.6g} of {shaft.part}",
         )  # fmt: skip

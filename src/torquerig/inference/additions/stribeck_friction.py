@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from torquerig import mechanisms
 from torquerig.diagnosis.fitting.knobs import Knob
@@ -11,7 +12,7 @@ from torquerig.inference.context import Context
 
 NAMES = ("stribeck_friction",)
 
-_LOG_ODDS = -3.0
+_LOG_ODDS, _BY_DIRECTION = -3.0, -4.5
 _COULOMB = 0.1  # of the largest mean torque: prior median
 _STATIC = 2.0  # times the Coulomb torque: prior median of the peak
 _SPEED = 0.05  # of the largest speed of the shaft: prior median of the Stribeck speed
@@ -20,18 +21,31 @@ _STARTS = ((-0.5, -0.5, 0.0), (0.0, 0.0, 0.0), (0.5, 0.5, 0.0), (0.5, 0.5, -1.0)
 
 
 def propose(context: Context) -> Iterator[Addition]:
-    """Yield friction at the last shaft."""
+    """Yield friction at the last shaft, and one by direction where the runs turn both ways."""
     shaft, name = context.shafts[-1], free_name(context.rig, "stribeck_friction")
     fastest, torque = context.fastest(shaft), _COULOMB * context.largest_level
-    if fastest > 0 and torque > 0:
-        part = mechanisms.StribeckFriction(
-            name=name, at=shaft.part, coulomb=torque, static=_STATIC * torque, stribeck_speed=_SPEED * fastest
-        )
+    if not fastest or not torque:
+        return
+    part = mechanisms.StribeckFriction(
+        name=name, at=shaft.part, coulomb=torque, static=_STATIC * torque, stribeck_speed=_SPEED * fastest
+    )
+    sizes = Knob(name, "coulomb", DECADE), Knob(name, "static", DECADE)
+    speed, of_speed = Knob(name, "stribeck_speed", _SPEED_SPREAD), Reported("stribeck_rad_s", "stribeck_speed", "rad/s")
+    yield Addition(
+        mechanism="stribeck_friction", parts=(part,), starts=_STARTS, log_odds=_LOG_ODDS, knobs=(*sizes, speed),
+        label=f"dry friction at {shaft.part}",
+        reported=(Reported("coulomb_Nm", "coulomb", "N*m"), Reported("static_Nm", "static", "N*m"), of_speed),
+    )  # fmt: skip
+    if context.turns_both_ways:
+        backward = Knob(name, "coulomb_backward", DECADE), Knob(name, "static_backward", DECADE)
         yield Addition(
-            mechanism="stribeck_friction", parts=(part,), starts=_STARTS, log_odds=_LOG_ODDS,
-            knobs=(Knob(name, "coulomb", DECADE), Knob(name, "static", DECADE),
-                   Knob(name, "stribeck_speed", _SPEED_SPREAD)),
-            label=f"dry friction at {shaft.part}",
-            reported=(Reported("coulomb_Nm", "coulomb", "N*m"), Reported("static_Nm", "static", "N*m"),
-                      Reported("stribeck_rad_s", "stribeck_speed", "rad/s")),
+            mechanism="stribeck_friction", variant="by_direction", knobs=(*sizes, speed, *backward),
+            parts=(replace(part, coulomb_backward=part.coulomb, static_backward=part.static),),
+            starts=tuple((*start, *start[:2]) for start in _STARTS), log_odds=_BY_DIRECTION,
+            label=f"dry friction at {shaft.part} that differs by direction",
+            reported=(
+                Reported("coulomb_Nm_forward", "coulomb", "N*m"), Reported("static_Nm_forward", "static", "N*m"),
+                Reported("coulomb_Nm_backward", "coulomb_backward", "N*m"),
+                Reported("static_Nm_backward", "static_backward", "N*m"), of_speed,
+            ),
         )  # fmt: skip
