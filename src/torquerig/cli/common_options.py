@@ -14,7 +14,6 @@ from torquerig.cases.kept_folder import kept_folder, kept_limit
 from torquerig.cases.kept_results import KeptResults, opened_results
 from torquerig.document import Document, read_document
 from torquerig.errors import InputError, UnitError, did_you_mean
-from torquerig.recordings.run import PROFILES
 from torquerig.scenario.overrides import overridden
 from torquerig.units import parse_quantity
 
@@ -97,6 +96,8 @@ def profile_settings(profile: str | None) -> tuple[str, ...]:
     """Return the settings that select a profile by name, or the table of a file."""
     if profile is None:
         return ()
+    from torquerig.recordings.run import PROFILES
+
     if profile in PROFILES:
         return (f"operating_point.profile={profile}",)
     path = Path(profile)

@@ -15,8 +15,6 @@ from torquerig.cli.common_options import cache_options, catalog_option, kept_res
 from torquerig.cli.json_option import json_option
 from torquerig.cli.matrix import ENDINGS, check_target
 from torquerig.cli.progress import drive_progress
-from torquerig.decide.matrix_analysis import analyse_matrix
-from torquerig.decide.matrix_io.certainty_text import trace_text
 from torquerig.document import read_document
 from torquerig.errors import InputError
 from torquerig.plain_table import grid, wrapped
@@ -30,12 +28,10 @@ from torquerig.reporting.json_results.compare import (
 from torquerig.reporting.json_results.figures import figure_result
 from torquerig.reporting.json_results.simulate import named
 from torquerig.reporting.json_results.values import Missing
-from torquerig.reporting.matrix.files import write_matrix
 from torquerig.reporting.pdf import check_pdf_printer, write_pdf
 from torquerig.reporting.study.report import write_study_report
 from torquerig.reporting.study.text import ranked_text, shares_text, sweep_text
 from torquerig.scenario.overrides import overridden
-from torquerig.study.as_matrix import as_matrix
 from torquerig.study.definition import Study, open_study
 from torquerig.study.left_out import left_out_gearboxes
 from torquerig.study.operating_points import Point, points_of
@@ -112,11 +108,8 @@ def command(
             found = changes(original, runs)
         decided, answer = _print_ranking(runs, swept)
         _print_changes(found, settings, unit=study.effort_unit)
-        for pair in traced:
-            click.echo("\n" + trace_text(traced_cell(decided, answer, *pair)))
-        for path in matrices:
-            write_matrix(analyse_matrix(as_matrix(decided, name=scenario.stem, seed=study.settings.seed)), path)
-            click.echo(f"wrote {path}", err=True)
+        _print_traces(traced, decided, answer)
+        _write_matrices(matrices, decided, name=scenario.stem, seed=study.settings.seed)
         written = write_study_report(runs, decided, answer, folder, changes=found or None, edits=settings, swept=swept)
     if pdf:
         written.append(written[0].with_suffix(".pdf"))
@@ -126,6 +119,27 @@ def command(
     return compare_result(
         runs, decided, answer, changes=found, notes=_notes(runs), written=named([*matrices, *written]), swept=swept
     )
+
+
+def _print_traces(traced: tuple[tuple[str, str], ...], decided: Decided, answer: Verdict) -> None:
+    if not traced:
+        return
+    from torquerig.decide.matrix_io.certainty_text import trace_text
+
+    for pair in traced:
+        click.echo("\n" + trace_text(traced_cell(decided, answer, *pair)))
+
+
+def _write_matrices(matrices: tuple[Path, ...], decided: Decided, *, name: str, seed: int) -> None:
+    if not matrices:
+        return
+    from torquerig.decide.matrix_analysis import analyse_matrix
+    from torquerig.reporting.matrix.files import write_matrix
+    from torquerig.study.as_matrix import as_matrix
+
+    for path in matrices:
+        write_matrix(analyse_matrix(as_matrix(decided, name=name, seed=seed)), path)
+        click.echo(f"wrote {path}", err=True)
 
 
 def _run(study: Study, title: str, *, workers: int | None, kept: KeptResults | None) -> StudyRuns:

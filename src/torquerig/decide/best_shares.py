@@ -23,9 +23,11 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 DRAWS = 10_000
-_GOLDEN, _FIRST, _SECOND = (
-    np.uint64(number) for number in (0x9E3779B97F4A7C15, 0xBF58476D1CE4E5B9, 0x94D049BB133111EB)
-)  # of SplitMix64, as in the kernel
+_GOLDEN = np.uint64(0x9E3779B97F4A7C15)  # of SplitMix64, as in the kernel
+_ROUNDS = (
+    (np.uint64(30), np.uint64(0xBF58476D1CE4E5B9)),
+    (np.uint64(27), np.uint64(0x94D049BB133111EB)),
+)
 _ONE, _LOW = np.uint64(0x3FF0000000000000), np.uint64(0xFFFFFFFF)
 
 
@@ -80,12 +82,8 @@ def sampled_totals(
     totals = {name: np.zeros((len(matrix.alternatives), draws)) for name in plans}
     first = next(iter(plans.values()))
     for column in range(len(first.weights[0])):
-        before: tuple[object, Mapping[str, Array | float]] = (None, {})
         for row in range(len(matrix.alternatives)):
-            same = [tuple(np.asarray(part[row, column]).tobytes() for part in plan.cells) for plan in plans.values()]
-            if before[0] != same:  # alternatives of one drive share its facts
-                before = (same, _points(plans, row, column, steps))
-            for name, points in before[1].items():
+            for name, points in _points(plans, row, column, steps).items():
                 totals[name][row] += weights[name][column] * points
     whole = {name: np.sum(np.broadcast_arrays(*each, np.zeros(draws)), axis=0) for name, each in weights.items()}
     return SampledTotals(matrix.alternatives, separate, totals, whole, seed, float(first.scale[1]))
@@ -116,11 +114,16 @@ def _points(
             if width > 0:
                 value = start + width * (drawn[0] - 1.0)
                 value = np.exp(value) if logarithmic else value
-                points = base + slope * value
+                points = slope * value
+                points += base
                 for bend in range(bends):
                     points = points + turns[bend] * np.maximum(value - knots[bend], 0.0)
             if half_widths > 0:
-                points = np.clip(points + half_widths * (2.0 * drawn[1] - 3.0), *plan.scale)
+                error = 2.0 * drawn[1]
+                error -= 3.0
+                error *= half_widths
+                error += points
+                points = np.minimum(np.maximum(error, plan.scale[0], out=error), plan.scale[1], out=error)
         found[name] = points
     return found
 
@@ -128,12 +131,20 @@ def _points(
 def _uniforms(key: np.uint64, steps: NDArray[np.uint64]) -> tuple[Array, Array]:
     """Return two uniforms in 1..2 for each sample, from 32 bits of the hash each."""
     number = steps + key
-    number = (number ^ (number >> np.uint64(30))) * _FIRST
-    number = (number ^ (number >> np.uint64(27))) * _SECOND
+    for shift, factor in _ROUNDS:
+        number ^= number >> shift
+        number *= factor
     number ^= number >> np.uint64(31)
-    upper = ((number >> np.uint64(32)) << np.uint64(20)) | _ONE
-    lower = ((number & _LOW) << np.uint64(20)) | _ONE
-    return upper.view(np.float64), lower.view(np.float64)
+    upper = number >> np.uint64(32)
+    number &= _LOW
+    return _as_doubles(upper), _as_doubles(number)
+
+
+def _as_doubles(bits: NDArray[np.uint64]) -> Array:
+    """Return 32 bits each as the first of the fraction of a number in 1..2; ``bits`` is used up."""
+    bits <<= np.uint64(20)
+    bits |= _ONE
+    return bits.view(np.float64)
 
 
 def _first(totals: Array) -> Array:

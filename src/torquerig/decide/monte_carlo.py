@@ -156,12 +156,15 @@ def points_over(cell: Cell, criterion: Criterion, profile: Profile, shares: Arra
     """Return :func:`points_at` for many shares, same shape."""
     if cell.unknown or criterion.value is None:
         return profile.p_min + (profile.p_max - profile.p_min) * shares
+    return criterion.value.over(values_over(cell, shares))
+
+
+def values_over(cell: Cell, shares: Array) -> Array:
+    """Return :func:`value_at` for many shares, same shape and digits."""
     low, high = cell.bounds
     if 0 < low * WIDE < high:
-        values = np.array([value_at(cell, share) for share in shares.tolist()])
-    else:
-        values = low + (high - low) * shares
-    return criterion.value.over(values)
+        return np.array([value_at(cell, share) for share in shares.tolist()])
+    return low + (high - low) * shares
 
 
 def _key(seed: int, *names: str) -> int:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from torquerig.decide.criterion import YES_NO, Criterion
 from torquerig.decide.eliminate import Decision, eliminate
 from torquerig.decide.kesselring import TEACHING, KesselringResult, Profile, kesselring
-from torquerig.decide.monte_carlo import points_over, value_at
+from torquerig.decide.monte_carlo import points_over, value_at, values_over
 from torquerig.decide.ranks import TIE
 
 if TYPE_CHECKING:
@@ -165,7 +165,7 @@ def _meets(cell: Cell, criterion: Criterion, shares: Array) -> NDArray[np.bool_]
         return np.ones(shares.size, np.bool_)
     if cell.unknown:
         return np.asarray(shares >= 0.5)
-    values = np.array([value_at(cell, share) for share in shares.tolist()])
+    values = values_over(cell, shares)
     low, high = (
         (-np.inf if requirement.low is None else requirement.low),
         (np.inf if requirement.high is None else requirement.high),

@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from torquerig.reporting.figures.page_picture import Picture
     from torquerig.reporting.layout import Table
     from torquerig.study.results import DriveResult, StudyRuns
-    from torquerig.study.scoring import Decided
 
 Drawn = TypeVar("Drawn")
 CLASSES = frozenset({
@@ -48,18 +47,6 @@ def shares_picture(runs: StudyRuns) -> Picture | None:
         return pictures.shares_picture(runs)
 
     return _kept(runs, "shares", list(runs.row_keys.items()), draw)
-
-
-def rating_picture(decided: Decided, runs: StudyRuns, *, winner: str) -> Picture | None:
-    """Return the S-diagram; None where no criterion is economic."""
-
-    def draw() -> Picture | None:
-        from torquerig.reporting.study import pictures
-
-        return pictures.rating_picture(decided, winner=winner)
-
-    content = (decided.technical, decided.economic, decided.overall, decided.baseline, winner)
-    return _kept(runs, "ratings", content, draw)
 
 
 def first_picture(drive: DriveResult, chain: str, runs: StudyRuns) -> Picture | None:

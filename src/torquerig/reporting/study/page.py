@@ -11,6 +11,7 @@ from torquerig.reporting.html import html
 from torquerig.reporting.moving.page_scripts import data_script, page_scripts
 from torquerig.reporting.study import answers, chapters, kept_pictures, tables
 from torquerig.reporting.study.budget_table import TONES, budget_table, sure_sentences
+from torquerig.reporting.study.rating_picture import rating_picture
 from torquerig.reporting.study.sweep_chapter import matrix_model_of, sweep_chapter
 from torquerig.reporting.study.trace_tables import drive_tables, functions_table
 from torquerig.study.answer.kept_budget import kept_budget
@@ -49,7 +50,7 @@ def study_page(
         "scripts": page_scripts(),
         **_found(runs, decided, verdict),
         **_readings(runs, decided, verdict),
-        **_matrices(runs, decided, verdict),
+        **_matrices(decided, verdict),
         "functions": functions_table(decided),
         "traced": drive_tables(traced_drives(decided, verdict)),
         "changes": tables.changes_table(changes) if changes else None,
@@ -132,11 +133,11 @@ def _readings(runs: StudyRuns, decided: Decided, verdict: Verdict) -> Mapping[st
     }
 
 
-def _matrices(runs: StudyRuns, decided: Decided, verdict: Verdict) -> Mapping[str, Any]:
+def _matrices(decided: Decided, verdict: Verdict) -> Mapping[str, Any]:
     names = tables.best_per_drive(decided)
     return {
         "elimination": chapters.elimination_table(decided.chart, decided.requirements),
         "pugh": chapters.pugh_table(decided, names),
         "kesselring": chapters.kesselring_table(decided, names),
-        "rating_picture": kept_pictures.rating_picture(decided, runs, winner=verdict.winner),
+        "rating_picture": rating_picture(decided, winner=verdict.winner),
     }

@@ -14,7 +14,6 @@ from torquerig.reporting.figures.error_figure import error_figure
 from torquerig.reporting.figures.notch_figure import notch_figure
 from torquerig.reporting.figures.page_picture import Picture, plot_name
 from torquerig.reporting.figures.picture import picture
-from torquerig.reporting.figures.rating_figure import rating_figure
 from torquerig.reporting.figures.shares_figure import shares_figure
 from torquerig.reporting.figures.signal_figure import signal_figure
 from torquerig.reporting.figures.spectrum_figure import spectrum_figure
@@ -22,8 +21,8 @@ from torquerig.reporting.layout import Table, number, words
 from torquerig.reporting.moving.signal_plot import signal_plot
 from torquerig.reporting.moving.spectrum_plot import spectrum_plot
 from torquerig.reporting.study.csv_tables import shares_csv
-from torquerig.reporting.study.picture_csv import errors_csv, levels_csv, ratings_csv
-from torquerig.reporting.study.tables import best_per_drive, effort_text
+from torquerig.reporting.study.picture_csv import errors_csv, levels_csv
+from torquerig.reporting.study.tables import effort_text
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.study.candidates import scenario_of
 
@@ -31,10 +30,8 @@ if TYPE_CHECKING:
     from torquerig.orders.kinematics.kinematic_lines import Kinematics
     from torquerig.recordings.recording import Recording
     from torquerig.study.results import DriveResult, StudyRuns
-    from torquerig.study.scoring import Decided
 
 HARMONICS = 2  # of each family, marked in the spectra: more would hide the curves
-FRONT = 8  # combinations named in the S-diagram
 
 
 @dataclass(frozen=True)
@@ -86,21 +83,6 @@ def shares_picture(runs: StudyRuns) -> Picture | None:
         shares_figure(runs.drives), caption="Shares of the sensor's reading, unfiltered",
         alt_text="Stacked bars of load, cogging, electrical and mechanical share; the tables above have the numbers.",
         name="shares", csv=shares_csv(runs),
-    )  # fmt: skip
-
-
-def rating_picture(decided: Decided, *, winner: str) -> Picture | None:
-    """Return the S-diagram; None where no criterion is economic."""
-    if decided.economic is None:
-        return None
-    front = best_per_drive(decided)[:FRONT]
-    named = tuple(dict.fromkeys(name for name in (winner, *front, decided.baseline) if name))
-    return picture(
-        rating_figure(decided.technical, decided.economic, named=named),
-        caption="Technical against economic rating; the numbers mark the best drives with their best filter, "
-        "and the present one",
-        alt_text="Scatter of technical rating x against economic rating y of all combinations.",
-        name="s_diagram", csv=ratings_csv(decided),
     )  # fmt: skip
 
 
