@@ -28,6 +28,8 @@ def channels_plot(recording: Recording, names: Sequence[str], *, target: str) ->
     x_range = Range1d(name=TIME_AXIS, start=0.0, end=end, bounds=(0.0, end))
     keys = {name: f"{name} (channel)" if name == TIME_AXIS else name for name in names}
     panels = [_panel(key, recording.channel(name).unit, x_range) for name, key in keys.items()]
+    for one in panels[:-1]:
+        one.xaxis.visible = False  # that of the last panel is for all
     return {
         "item": plot_json(column(*panels, sizing_mode="stretch_width"), target),
         "curves": {

@@ -43,6 +43,7 @@ def signal_plot(before: Recording, after: Recording, *, target: str, start: floa
         differences = {f"error {name}": [name, "load"] for name in ERRORS if name in values}
         lower = _plot([(f"error {name}", ERRORS[name], COLOURS[name]) for name in ERRORS if name in values], x_range,
                       label=f"error [{unit}]", height=200)  # fmt: skip
+        upper.xaxis.visible = False  # that of the lower plot is for both
         plots.append(lower)
     return {
         "item": plot_json(column(*plots, sizing_mode="stretch_width"), target),

@@ -70,9 +70,13 @@ function linesOf(made, name) {
   return renderers.map(({ glyph }) => [glyph, glyph.line_width.value]);
 }
 
-// At once where the last change is a frame ago, so that curves and axes move together; else once in the next frame.
+const REST = 250; // [ms] without a change, after which labels may take more room
+let lastChange = 0;
+
+// At once where the last change is a frame ago, so that curves and axes move together; else once in the next frame; and
+// once more at rest, for labels that need more room.
 function oncePerFrame(update) {
-  let waits = false, again = false;
+  let waits = false, again = false, rest = 0;
   const frame = () => {
     waits = again;
     if (!again) return;
@@ -81,6 +85,9 @@ function oncePerFrame(update) {
     update();
   };
   return () => {
+    lastChange = performance.now();
+    clearTimeout(rest);
+    rest = setTimeout(update, REST + 1);
     if (waits) { again = true; return; }
     waits = true;
     requestAnimationFrame(frame);
@@ -88,7 +95,7 @@ function oncePerFrame(update) {
   };
 }
 
-// Axes may grow and not shrink: each new layout, for a label of other width, takes as long as drawing.
+// Axes may grow at rest and do not shrink: each new layout, for a label of other width, takes as long as drawing.
 function keepLayout(view) {
   const seen = new Set();
   const visit = (one) => {
@@ -96,6 +103,7 @@ function keepLayout(view) {
     seen.add(one);
     if (one.panel && one.layout && one.layout.has_size_changed) {
       Object.getPrototypeOf(one.layout).has_size_changed = function grown() {
+        if (performance.now() - lastChange < REST) return false;
         const { width, height } = this._content_size();
         return this.panel.is_horizontal ? height > this.bbox.height : width > this.bbox.width;
       };
