@@ -33,10 +33,10 @@ rig:
 """
 
 
-def pump_scenario(folder: Path) -> Scenario:
-    """Return the scenario, written into a folder."""
+def pump_scenario(folder: Path, more: str = "") -> Scenario:
+    """Return the scenario, written into a folder, with ``more`` lines of its rig."""
     path = folder / "scenario.yaml"
-    path.write_text(SCENARIO, encoding="utf-8")
+    path.write_text(SCENARIO + more, encoding="utf-8")
     return read_scenario(edited(path, ()), catalog_for(path, ()), seed=0)
 
 

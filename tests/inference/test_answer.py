@@ -9,10 +9,13 @@ import numpy as np
 import pytest
 
 from tests.inference.drawn_runs import drawn_run, steady
+from tests.inference.pump_bench import pump_scenario
+from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.looking.places import order
 from torquerig.errors import InputError
 from torquerig.inference.addition import Addition
 from torquerig.inference.answer import confidence as sure
+from torquerig.inference.answer.owned import owned
 from torquerig.inference.answer.rms import mean_square
 from torquerig.inference.engine import features_of, with_held_out
 from torquerig.inference.features.run_features import run_features
@@ -92,3 +95,39 @@ def test_a_run_that_is_held_out_is_in_no_fit():
 def test_names_that_cannot_be_held_out_are_refused(names, text):
     with pytest.raises(InputError, match=text):
         with_held_out(RUNS, names)
+
+
+MORE = """\
+  drag: {kind: quadratic_drag, at: pump, coefficient: 3e-5 N*m*s^2/rad^2}
+  windings: {kind: torque_ripple, at: motor, group: electrical, amplitudes: {24: 0.05 N*m}}
+"""
+
+
+def fitted_number(folder, part, field, factor, *, key=None):
+    rig = pump_scenario(folder, MORE).rig
+    knob = Knob(part, field, 1.0, key=key)
+    fit = SimpleNamespace(
+        knobs=(knob,), positions=np.array([log(factor)]), rig=rig, nominal=rig, covariance=lambda: np.array([[1e-4]])
+    )
+    return SimpleNamespace(model=SimpleNamespace(fit=fit)), Addition(kind="parameter", knobs=(knob,))
+
+
+@pytest.mark.parametrize(
+    ("number", "factor", "key", "mechanism", "parameter", "value"),
+    [
+        (("drag", "coefficient"), 3.0, None, "quadratic_drag", "coefficient_Nms2", 9e-5),
+        (("windings", "amplitudes"), 2.0, 24.0, "commutation_ripple", "amplitude_Nm", 0.1),
+        (("sensor", "bandwidth"), 0.4, None, "sensor_bandwidth", "cutoff_Hz", 200.0),
+    ],
+)
+def test_a_number_that_a_mechanism_owns_is_a_finding(tmp_path, number, factor, key, mechanism, parameter, value):
+    found = owned(*fitted_number(tmp_path, *number, factor, key=key))
+    assert found.mechanism == mechanism
+    assert found.parameters[parameter]["value"] == pytest.approx(value, rel=1e-5)
+    low, high = found.parameters[parameter]["ci95"]
+    assert (low, high) == pytest.approx((value * exp(-0.0196), value * exp(0.0196)), rel=1e-4)
+
+
+@pytest.mark.parametrize(("number", "factor"), [(("pump", "viscous"), 3.0), (("sensor", "bandwidth"), 2.0)])
+def test_other_numbers_are_facts_of_the_set_up(tmp_path, number, factor):
+    assert owned(*fitted_number(tmp_path, *number, factor)) is None

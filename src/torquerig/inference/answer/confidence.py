@@ -56,5 +56,14 @@ def nameless(outcome: Outcome) -> list[Addition]:
 
 
 def far_numbers(outcome: Outcome) -> list[Addition]:
-    """Return the numbers of the scenario that are far from what is stated."""
+    """Return the numbers of the scenario that are surely far from what is stated."""
+    return [each for each in _numbers(outcome) if confidence(outcome, each) >= LEAST]
+
+
+def unsure_numbers(outcome: Outcome) -> list[Addition]:
+    """Return those that may be another effect instead."""
+    return [each for each in _numbers(outcome) if confidence(outcome, each) < LEAST]
+
+
+def _numbers(outcome: Outcome) -> list[Addition]:
     return [each for each in outcome.model.additions if each.kind == "parameter"]

@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 
 from torquerig.inference.answer.confidence import confidence, far_numbers, named, nameless
-from torquerig.inference.answer.effects import finding, unnamed
+from torquerig.inference.answer.effects import finding, finding_of_number, unnamed
 from torquerig.inference.answer.held_out_figures import fit_figures
 from torquerig.inference.answer.isolated import next_experiment, next_experiment_for_nameless, upper_limits
 from torquerig.inference.answer.located import differences, remaining
 from torquerig.inference.answer.numbers import digits
+from torquerig.inference.answer.owned import owned
 from torquerig.inference.answer.rms import rms_errors
 from torquerig.inference.answer.setup_facts import fault_answer, number_answer
 from torquerig.inference.answer.tried import rejected
@@ -25,17 +26,21 @@ SCHEMA = "torquerig.diagnosis/1"
 
 def as_json(outcome: Outcome) -> dict[str, Any]:
     """Return the answer in the contract's form."""
+    far = [(each, owned(outcome, each)) for each in far_numbers(outcome)]
     numbers = (
         number_answer(outcome.model.fit, each.knobs[0], confidence=confidence(outcome, each))
-        for each in far_numbers(outcome)
-    )
+        for each, owner in far if owner is None
+    )  # fmt: skip
     faults = (fault_answer(each, outcome.model.fit, runs=len(outcome.runs)) for each in outcome.setup)
     word = verdict(outcome)
     return {
         "schema": SCHEMA,
         "verdict": word,
         "mismatch": [*differences(outcome), *remaining(outcome)],
-        "findings": [finding(outcome, each, next_experiment=next_experiment(outcome, each)) for each in named(outcome)],
+        "findings": [
+            *(finding(outcome, each, next_experiment=next_experiment(outcome, each)) for each in named(outcome)),
+            *(finding_of_number(outcome, each, owner) for each, owner in far if owner is not None),
+        ],
         "setup": [*faults, *numbers],
         "unnamed": [unnamed(outcome, each) for each in nameless(outcome)],
         "fit": fit_figures(outcome),

@@ -8,6 +8,7 @@ from typing import Any
 from torquerig.inference.addition import Addition, Reported
 from torquerig.inference.answer.confidence import alternatives, confidence, equivalent_to
 from torquerig.inference.answer.numbers import digits, estimate
+from torquerig.inference.answer.owned import Owned
 from torquerig.inference.answer.sizes import size
 from torquerig.inference.answer.tried import alternatives_of
 from torquerig.inference.answer.verdict import is_minor
@@ -30,6 +31,18 @@ def finding(outcome: Outcome, each: Addition, *, next_experiment: str | None) ->
         "size": {"value": digits(size(outcome, each)), "unit": effort_unit(outcome.completed)},
         "alternatives": alternatives_of(outcome, each),
     }
+
+
+def finding_of_number(outcome: Outcome, each: Addition, owner: Owned) -> dict[str, Any]:
+    """Return a number of the scenario that belongs to a mechanism, as a finding."""
+    return {
+        "mechanism": owner.mechanism, "part": each.knobs[0].part, "explanation": owner.sentence,
+        "confidence": round(confidence(outcome, each), 3), "parameters": owner.parameters,
+        "equivalent_to": [name for name in equivalent_to(outcome, each) if name != owner.mechanism],
+        "next_experiment": None,
+        "size": {"value": digits(size(outcome, each)), "unit": effort_unit(outcome.completed)},
+        "alternatives": alternatives_of(outcome, each),
+    }  # fmt: skip
 
 
 def unnamed(outcome: Outcome, each: Addition) -> dict[str, Any]:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
+from torquerig.diagnosis.fitting.knobs import turned
 from torquerig.inference.addition import Addition
 from torquerig.inference.engine import Outcome
 from torquerig.inference.prediction.expected_run import expected_run
@@ -30,12 +32,23 @@ def without(rig: Rig, additions: Sequence[Addition]) -> Rig:
     return rig
 
 
+def _with_stated(outcome: Outcome, each: Addition) -> Rig:
+    """Return the completed rig with a number of the scenario at its stated value."""
+    knob, rig = each.knobs[0], outcome.completed
+    stated, here = knob.value(outcome.nominal.nominal), knob.value(rig)
+    one = replace(knob, spread=1.0)
+    position = float(np.log(stated / here)) if knob.factor else stated - here
+    return turned(rig, [one], np.array([position]))
+
+
 def size(outcome: Outcome, each: Addition) -> float:
     """Return the rms by which an addition changes the reading [N m], the largest one of the runs.
 
-    Of lines, of the spectrum between them and of mean torques; those are uncorrelated.
+    Of lines, of the spectrum between them and of mean torques; those are uncorrelated. Of a number of the scenario it
+    is the change from the stated value.
     """
-    fit, other = outcome.model.fit, without(outcome.completed, [each])
+    fit = outcome.model.fit
+    other = without(outcome.completed, [each]) if each.parts else _with_stated(outcome, each)
     largest = 0.0
     for seen, full in zip(outcome.data.seen, fit.expected, strict=True):
         less = expected_run(other, seen)

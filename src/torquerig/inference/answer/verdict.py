@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from torquerig.inference.addition import Addition
-from torquerig.inference.answer.confidence import far_numbers, named, nameless
+from torquerig.inference.answer.confidence import far_numbers, named, nameless, unsure_numbers
+from torquerig.inference.answer.owned import owned
 from torquerig.inference.answer.significant import significant
 from torquerig.inference.answer.sizes import relevance, size, without
 from torquerig.inference.engine import Outcome
@@ -18,11 +19,12 @@ def verdict(outcome: Outcome) -> str:
     if not outcome.judged:
         return "missing_physics"
     large = [each for each in nameless(outcome) if not is_minor(outcome, each)]
-    if not explains(outcome, ()) or (large and not explains(outcome, large)):
+    if unsure_numbers(outcome) or not explains(outcome, ()) or (large and not explains(outcome, large)):
         return "unexplained"
-    if named(outcome):
+    far = far_numbers(outcome)
+    if named(outcome) or any(owned(outcome, each) for each in far):
         return "missing_physics"
-    return "setup_error" if outcome.setup or far_numbers(outcome) else "adequate"
+    return "setup_error" if outcome.setup or far else "adequate"
 
 
 def is_minor(outcome: Outcome, each: Addition) -> bool:
