@@ -21,11 +21,11 @@ Floats = NDArray[np.float64]
 LEVEL = 1e-3  # p-value, of the whole search, below which a line is real
 _MOST_OF_A_BLOCK = 12.0  # [1] times the noise: what a single block shows is no line of the run
 _LOWEST = 1.0  # [Hz] slower than this the variation of the load has no even spectrum
-_DOMAINS = 2  # that are searched: orders and frequencies
 _OVERSAMPLED = 2  # points of the grid for each bin of the longest block
 _SKIRT_LOG = 0.05  # of the strongest line's log p-value: a weaker line may be its leakage and waits for the next pass
 _PASSES = 4
 _MOST = 40
+_ORDER = 1.15  # by which an order may show less power than a frequency that is as clear: most lines turn with a shaft
 _SHOWN = 6.0  # [1] times the noise: a block with so much power shows the line
 
 
@@ -78,7 +78,7 @@ def search_lines(
 def _new_lines(ratios: Sequence[NoiseRatios], found: Sequence[FoundLine]) -> list[FoundLine]:
     """Return the new lines, clearest first; what is near a stronger one in every block that shows it is left out."""
     candidates = [*_peaks(ratios, "order"), *_peaks(ratios, "frequency")]
-    candidates.sort(key=lambda each: (each.log_p, -each.power))
+    candidates.sort(key=lambda each: (each.log_p, -each.power * (_ORDER if each.place.domain == "order" else 1.0)))
     accepted: list[FoundLine] = []
     for each in candidates:
         if accepted and each.log_p > _SKIRT_LOG * accepted[0].log_p:
@@ -144,9 +144,8 @@ def _scores(ratios: Sequence[NoiseRatios], domain: str) -> tuple[Floats, Floats,
     rows = [row for row in rows if row[0].size]
     if not rows:
         return np.zeros(0), np.zeros(0), np.zeros(0)
-    step = min(row[1] for row in rows) / _OVERSAMPLED
-    top = max(_highest(each, turning=turning) for _, _, each in rows)
-    grid = np.arange(1, int(top / step)) * step
+    grid = _grid(ratios, domain)
+    tests = sum(_grid(ratios, each).size for each in ("order", "frequency"))  # the same in both, which then compare
     log_p, counted, power = (np.zeros(grid.size) for _ in range(3))
     for run in {id(each.run): each.run for _, _, each in rows}.values():
         total, count = np.zeros(grid.size), np.zeros(grid.size)
@@ -165,9 +164,23 @@ def _scores(ratios: Sequence[NoiseRatios], domain: str) -> tuple[Floats, Floats,
     combined = np.where(counted > 0, _log_gamma_tail(np.maximum(counted, 1), -log_p), 0.0)
     return (
         np.asarray(grid),
-        np.asarray(combined + np.log(max(_DOMAINS * grid.size / _OVERSAMPLED, 1))),
+        np.asarray(combined + np.log(max(tests / _OVERSAMPLED, 1))),
         np.asarray(power),
     )
+
+
+def _grid(ratios: Sequence[NoiseRatios], domain: str) -> Floats:
+    """Return the places of a domain that are tested."""
+    turning = domain == "order"
+    steps = [
+        each.order_step if turning else each.frequency_step for each in ratios
+        if (each.by_order if turning else each.by_frequency).size
+    ]  # fmt: skip
+    if not steps:
+        return np.zeros(0)
+    step = min(steps) / _OVERSAMPLED
+    top = max(_highest(each, turning=turning) for each in ratios)
+    return np.asarray(np.arange(1.0, int(top / step)) * step)
 
 
 def _highest(each: NoiseRatios, *, turning: bool) -> float:
