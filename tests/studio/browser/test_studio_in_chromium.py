@@ -14,6 +14,7 @@ from torquerig.studio.what_if.question import Question
 pytestmark = pytest.mark.long  # each starts or drives a studio with the integrator
 
 STEPS = ("rig", "what_if")
+CATALOG = Path(__file__).resolve().parents[3] / "catalogs" / "motors"
 LARGE = "#what-if-error"
 
 
@@ -104,6 +105,51 @@ def test_two_tabs_do_not_mix(open_studio, shared_studio):
     one.page.reload()
     one.page.wait_for_selector("main section:not(.hidden) h2")
     assert one.page.get_by_label("output speed", exact=True).input_value() == "123 rpm"  # nothing is lost
+
+
+def test_two_tabs_of_one_browser_have_their_values(open_studio, shared_studio):
+    shown = open_studio(shared_studio)
+    other = shown.context.new_page()
+    other.goto(f"{shared_studio}&step=what_if")
+    other.wait_for_selector("#what-if-title")
+    shown.change("output speed", "240 rpm")
+    other.wait_for_function("document.querySelector('#what-if-title').innerText.includes('1000 rpm')")
+    assert other.get_by_label("output speed", exact=True).input_value() == "200 rpm"
+    assert "motor at 1200 rpm" in shown.text("#what-if-title")
+
+
+def test_the_file_is_saved_under_another_name(open_studio, start_studio, own_folder):
+    shown = open_studio(start_studio(own_folder / "wear_rig.yaml"), step="rig")
+    field = shown.page.get_by_label("output speed", exact=True)
+    field.fill("150 rpm")
+    field.press("Tab")
+    shown.page.get_by_role("button", name="Save as").click()
+    name = shown.page.get_by_label("new file name", exact=True)
+    for text, told in (("mine", "ends in .yaml"), ("two_stage_branch.yaml", "is there already")):
+        name.fill(text)
+        shown.page.get_by_role("button", name="Write the new file").click()
+        shown.page.wait_for_selector(f".bar .problem:has-text('{told}')")
+    name.fill("mine.yaml")
+    shown.page.get_by_role("button", name="Write the new file").click()
+    shown.page.wait_for_function("document.querySelector('.bar select').value === 'mine.yaml'")
+    assert yaml.safe_load((own_folder / "mine.yaml").read_text())["operating_point"]["output_speed"] == "150 rpm"
+    assert yaml.safe_load((own_folder / "wear_rig.yaml").read_text())["operating_point"]["output_speed"] == "200 rpm"
+
+
+def test_a_catalog_edited_to_nonsense_is_said_and_the_last_answer_stays(open_studio, start_studio, own_folder):
+    motors = own_folder / "catalogs" / "motors"
+    motors.mkdir(parents=True)
+    (motors / "mine.yaml").write_text((CATALOG / "HDS6A-0104A.yaml").read_text().replace("HDS6A-0104A", "mine"))
+    shown = open_studio(start_studio(own_folder / "wear_rig.yaml"))
+    shown.change("motor", "mine")
+    before = shown.text(LARGE)
+    (motors / "mine.yaml").write_text("name: mine\nnonsense: 3\n")
+    shown.page.wait_for_selector("main > [role=alert] >> text=mine.yaml")
+    field = shown.page.get_by_label("output speed", exact=True)
+    field.fill("210 rpm")
+    field.press("Enter")
+    shown.page.wait_for_selector(".stale")
+    assert shown.text(LARGE) == before
 
 
 def test_a_problem_is_at_its_part_and_undo_takes_it_back(open_studio, shared_studio):

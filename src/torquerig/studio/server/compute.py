@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import asyncio
+import os
 import signal
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
-from multiprocessing import get_context
+from multiprocessing import active_children, get_context, parent_process
+from multiprocessing.connection import wait
+from threading import Thread
 from typing import ParamSpec, TypeVar
 
 from torquerig.errors import InputError
@@ -42,8 +45,10 @@ class Compute:
                              "change a value to compute again") from None  # fmt: skip
 
     def close(self) -> None:
-        """End the process."""
+        """End the process, also in the middle of its work."""
         self._pool.shutdown(wait=False, cancel_futures=True)
+        for process in active_children():
+            process.terminate()
 
 
 def _new_pool() -> ProcessPoolExecutor:
@@ -53,3 +58,12 @@ def _new_pool() -> ProcessPoolExecutor:
 def _begin() -> None:
     """Leave Ctrl-C to the server, which ends this process."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    Thread(target=_end_with_parent, daemon=True).start()
+
+
+def _end_with_parent() -> None:
+    """End this process where the server was killed and could not end it."""
+    parent = parent_process()
+    if parent is not None:
+        wait([parent.sentinel])
+        os._exit(1)

@@ -11,6 +11,7 @@ from nicegui import ui
 from torquerig.errors import TorquerigError
 from torquerig.studio.server.elements import button, enable, say_in, words
 from torquerig.studio.server.fields import Field, choice
+from torquerig.studio.server.save_as import SaveAs
 from torquerig.studio.server.step import Step
 from torquerig.studio.server.tab import Tab
 
@@ -60,11 +61,20 @@ class Frame:
         ui.on("studio_key", lambda event: self._act(str(event.args)))
         with ui.element("header").classes("bar"):
             words("torquerig studio", "h1")
-            names = [path.name for path in tab.session.files().scenarios]
-            self._file: Field = choice("scenario", names, tab.path.name if tab.path else "", self._open_file)
+            self._names = tab.session.files().scenarios
+            self._file: Field = choice(
+                "scenario", [one.name for one in self._names], tab.path.name if tab.path else "", self._open_file
+            )
             with ui.element("div").classes("acts"):
-                titles = {"undo": "Undo", "redo": "Redo", "save": "Save", "reload": "Reload from disk"}
+                titles = {
+                    "undo": "Undo",
+                    "redo": "Redo",
+                    "save": "Save",
+                    "save_as": "Save as",
+                    "reload": "Reload from disk",
+                }
                 self._acts = {what: button(title, partial(self._act, what)) for what, title in titles.items()}
+            self._save_as = SaveAs(tab)
         self._status = words("", "div", kind="status").props("role=status")
 
     def _open_file(self, name: str) -> None:
@@ -80,6 +90,9 @@ class Frame:
             return
         if what == "save":
             self._save(path)
+            return
+        if what == "save_as":
+            self._save_as.toggle()
             return
         acts = {"undo": session.undo, "redo": session.redo, "reload": session.reload}
         self.tab.attempt(lambda: acts[what](path))
@@ -98,12 +111,19 @@ class Frame:
         enable(self._acts["undo"], document is not None and bool(document.past))
         enable(self._acts["redo"], document is not None and bool(document.future))
         enable(self._acts["save"], document is not None and not document.is_saved)
-        names = [path.name for path in self.tab.session.files().scenarios]
+        for what in ("reload", "save_as"):
+            enable(self._acts[what], document is not None)
         if document is not None:
-            names = list(dict.fromkeys([*names, document.path.name]))
             self._file.set(document.path.name)
-        self._file.choose_from(names)
+        self._offer_files()
         self._show_problems()
+
+    def _offer_files(self) -> None:
+        document = self.tab.document
+        opened = [] if document is None else [document.path.name]
+        names = dict.fromkeys([*(path.name for path in self._names), *opened])
+        if tuple(names) != tuple(self._file.props["options"]):
+            self._file.choose_from(list(names))
 
     def _show_problems(self) -> None:
         document = self.tab.document
@@ -116,7 +136,9 @@ class Frame:
                 words(text, kind="problem")
 
     def _watch(self) -> None:
-        """Say where the open file or a catalog changed on the disk."""
+        """Say where the open file or a catalog changed on the disk; offer files that came meanwhile."""
+        self._names = self.tab.session.files().scenarios
+        self._offer_files()
         if self.tab.path is None:
             return
         catalog = self.tab.session.catalog_problems()

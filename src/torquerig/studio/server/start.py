@@ -5,6 +5,7 @@ from __future__ import annotations
 import secrets
 import socket
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -77,7 +78,8 @@ def run_studio(
         compute.begin(warm_up, folder.resolve(), scenario, tuple(catalogs))
         token = secrets.token_urlsafe(24)
         try:
-            _serve(folder, scenario, used, token, compute, opens_browser=opens_browser, catalogs=catalogs, say=say)
+            with suppress(KeyboardInterrupt):  # the way to end it
+                _serve(folder, scenario, used, token, compute, opens_browser=opens_browser, catalogs=catalogs, say=say)
         finally:
             compute.close()
 

@@ -83,7 +83,8 @@ class _RigStep:
             self._whole.classes(add="hidden")
             return
         self._whole.classes(remove="hidden")
-        data = document.data if isinstance(document.data, Mapping) else {}
+        found = document.data
+        data = found if isinstance(found, Mapping) else {}
         rig = data.get("rig")
         parts = placed_parts(rig)
         names = [one.name for one in parts]

@@ -40,16 +40,17 @@ class PartForm:
         if document is None:
             return
         self._name, self._names = name, tuple(names)
-        found = document.data.get("rig", {}).get(name) if isinstance(document.data, Mapping) and name else None
+        data = document.data
+        found = data.get("rig", {}).get(name) if isinstance(data, Mapping) and name else None
         written = found if isinstance(found, Mapping) else {}
         good = document.good if isinstance(document.good, Scenario) else None
         values = part_values(name, written, good)
-        kind, entry = str(written.get("kind", "")), str(written.get("catalog", ""))
+        kind = str(written.get("kind", ""))
         drawn = (name, kind, values, self._names)
         if drawn != self._drawn:
             self._drawn = drawn
             self._draw(name, kind, values)
-        self._show_values(document, name, entry)
+        self._show_values(document, data, name)
         at = self._names.index(name) if name in self._names else -1
         enable(self._earlier, at > 0)
         enable(self._later, 0 <= at < len(self._names) - 1)
@@ -88,10 +89,10 @@ class PartForm:
         if one.meaning:
             self._fields[one.key].props["title"] = one.meaning
 
-    def _show_values(self, document: WorkingDocument, name: str, entry: str) -> None:
+    def _show_values(self, document: WorkingDocument, data: Any, name: str) -> None:
         shown: set[str] = set()
         for key, field in self._fields.items():
-            field.set(entry if key == "catalog" else written_at(document, ("rig", name, key)))
+            field.set(written_at(data, ("rig", name, key)))
             problem = problem_at(document, ("rig", name, key))
             field.problem(problem)
             shown |= {key} if problem else set()

@@ -31,8 +31,9 @@ class ValueForm:
             self._place.clear()
             with self._place:
                 self._fields = {one: text_field(label_of(one), "", partial(write, self.tab, one)) for one in keys}
+        data = document.data
         for one, field in self._fields.items():
-            field.set(written_at(document, one))
+            field.set(written_at(data, one))
             field.problem(problem_at(document, one))
 
 
@@ -41,9 +42,9 @@ def label_of(keys: Keys) -> str:
     return keys[-1].replace("_", " ")
 
 
-def written_at(document: WorkingDocument, keys: Keys) -> str:
-    """Return a value as a field shows it: a text as it is, other values in the flow form of YAML."""
-    found: Any = document.data
+def written_at(data: Any, keys: Keys) -> str:
+    """Return a value of a file's data as a field shows it: a text as it is, others in the flow form of YAML."""
+    found = data
     for key in keys:
         if not isinstance(found, dict) or key not in found:
             return ""
@@ -59,7 +60,7 @@ def problem_at(document: WorkingDocument, keys: Keys) -> str:
 def write(tab: Tab, keys: Keys, text: str) -> None:
     """Write a value into the open file; an empty text removes its key."""
     document = tab.document
-    if document is None or text.strip() == written_at(document, keys):
+    if document is None or text.strip() == written_at(document.data, keys):
         return
     path = document.path
 
