@@ -59,6 +59,18 @@ def test_what_cannot_be_distinguished_is_said_and_a_long_run_is_left_to_its_sect
     assert words_of(answer) <= 25
 
 
+def test_the_first_sentence_states_place_and_size_of_what_is_missing():
+    found = {"order_output": {"value": 84.0, "unit": "1/rev"}, "amplitude_Nm": {"value": 0.05394, "unit": "N*m"}}
+    gap = {**MESH, "mechanism": "backlash", "parameters": {"gap_arcmin": {"value": 6.1, "unit": "arcmin"}}}
+    answer = diagnosis_answer(data("missing_physics", {**MESH, "parameters": found}, gap), EFFECT, percent=False)
+    assert answer.sentences[0] == (
+        "The model lacks gear mesh (84 per output turn, 0.0539 N m) and backlash (6.1 arcmin)."
+    )
+    assert words_of(answer) <= 25
+    alone = diagnosis_answer(data("missing_physics", {**MESH, "parameters": found}), EFFECT, percent=False)
+    assert alone.sentences[0] == "The model lacks gear mesh (84 per output turn, 0.0539 N m)."
+
+
 def test_many_findings_are_counted():
     many = [{**MESH, "mechanism": name} for name in ("a", "b", "c", "d", "e")]
     assert diagnosis_answer(data("missing_physics", *many), EFFECT, percent=False).sentences[0] == (

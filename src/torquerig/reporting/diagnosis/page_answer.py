@@ -18,6 +18,16 @@ LONGEST = 25  # words of a sentence on the first screen
 NAMED = 3  # mechanisms that the first sentence names
 TONES = {"adequate": "good", "missing_physics": "poor", "setup_error": "poor"}
 """CSS class of the answer: blue, orange, and violet for what remains unexplained."""
+PLACES = {
+    "order_output": "{} per output turn", "order_motor": "{} per motor turn", "frequency_Hz": "{} Hz",
+    "cutoff_Hz": "{} Hz",
+}  # fmt: skip
+"""Where an effect is, by parameters of the contract, the first that is known."""
+SIZES = {
+    "amplitude_Nm": "{} N m", "amplitude_A": "{} A", "amplitude_V": "{} V", "coulomb_Nm": "{} N m",
+    "gap_arcmin": "{} arcmin", "span_V": "{} V", "limit_V": "{} V", "step_V": "{} V", "depth": "{} of the torque",
+}  # fmt: skip
+"""How large it is, likewise."""
 _NEXT = {
     "adequate": "Next: use the scenario as it is. Runs at other speeds and loads can show smaller effects.",
     "missing_physics": "Next: check the named part on the rig, and continue with the completed scenario.",
@@ -53,7 +63,7 @@ def diagnosis_answer(data: Mapping[str, Any], effect: EffectAtSensor | None, *, 
 
 
 def _missing(data: Mapping[str, Any]) -> str:
-    verdict, names = data["verdict"], [mechanism_text(one["mechanism"]) for one in data["findings"]]
+    verdict, names = data["verdict"], [_named(one) for one in data["findings"]]
     if verdict == "adequate":
         return "No physics is missing that these recordings can show."
     if verdict == "setup_error":
@@ -67,10 +77,22 @@ def _missing(data: Mapping[str, Any]) -> str:
     return f"The model lacks {_listed(names)}.{rest}"
 
 
+def _named(finding: Mapping[str, Any]) -> str:
+    """Return the mechanism with the place and size that identify it, as far as they are estimated."""
+    known = finding["parameters"]
+    facts = (
+        next((form.format(plain(known[key]["value"])) for key, form in forms.items() if key in known), "")
+        for forms in (PLACES, SIZES)
+    )
+    shown = ", ".join(filter(None, facts))
+    name = mechanism_text(finding["mechanism"])
+    return f"{name} ({shown})" if shown else name
+
+
 def _listed(names: Sequence[str]) -> str:
     if len(names) > NAMED:
         return f"{', '.join(names[:NAMED])} and {len(names) - NAMED} more"
-    return " and ".join(", ".join(names).rsplit(", ", 1))
+    return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
 
 
 def _size(data: Mapping[str, Any], effect: EffectAtSensor | None) -> tuple[str, ...]:

@@ -44,14 +44,16 @@ def _choice(worked: MatrixAnalysis) -> str:
     if not verdict.runner_up:
         return f"Choose {first}: no other alternative meets the requirements."
     condition = " if its open requirement is met" if verdict.conditions else ""
-    return f"Choose {first}{condition}: it is {verdict.lead:.3f} in T/T_max ahead of {verdict.runner_up}."
+    scores = dict(zip(worked.overall.alternatives, worked.overall.share.tolist(), strict=True))
+    best, second = scores[first], scores[verdict.runner_up]
+    return f"Choose {first}{condition}: score {best:.2f} of 1, against {second:.2f} of {verdict.runner_up}."
 
 
 def _open(worked: MatrixAnalysis) -> tuple[str, ...]:
     questions = [one.partition(": ")[2] for one in worked.verdict.conditions]
     if questions:
         more = f" and {len(questions) - 1} more" if len(questions) > 1 else ""
-        return (f"Open: {questions[0]}{more}.", f"If a requirement is missed, {_next(worked)}.")
+        return (f"Open question: {questions[0]}{more}.", f"If the requirement is missed, {_next(worked)}.")
     if worked.verdict.certainty is Certainty.OPEN and worked.missing:
         return (f"{worked.missing[0].sentence().partition(':')[0].capitalize()} first.",)
     return ()
@@ -61,7 +63,7 @@ def _next(worked: MatrixAnalysis) -> str:
     out = {*worked.chart.with_decision(Decision.ELIMINATE), *worked.verdict.winners}
     totals = zip(worked.overall.total.tolist(), worked.overall.alternatives, strict=True)
     ranked = sorted(((-total, name) for total, name in totals if name not in out), key=lambda one: one[0])
-    return f"{ranked[0][1]} is first" if ranked else "no alternative is left"
+    return f"choose {ranked[0][1]}" if ranked else "no alternative is left"
 
 
 def _figures(worked: MatrixAnalysis, share: float) -> tuple[LargeFigure, ...]:
@@ -69,7 +71,7 @@ def _figures(worked: MatrixAnalysis, share: float) -> tuple[LargeFigure, ...]:
     place = overall.alternatives.index(verdict.winners[0])
     low, high = (float(ends[place]) / overall.ideal for ends in (overall.total_low, overall.total_high))
     return (
-        LargeFigure(name="T/T_max", value=f"{overall.share[place]:.3f}",
+        LargeFigure(name="score T/T_max", value=f"{overall.share[place]:.3f}",
                     note=f"weighted points over the ideal; range {low:.2f} to {high:.2f}"),
         LargeFigure(name="lead", value=f"{verdict.lead:.3f}",
                     note=f"ahead of {verdict.runner_up}" if verdict.runner_up else "no other alternative"),
