@@ -43,10 +43,11 @@ def all_gone(pids):
     return False
 
 
-def test_ctrl_c_ends_it_without_an_error(studio):
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["Ctrl-C", "SIGTERM"])
+def test_a_signal_ends_it_without_an_error(studio, number):
     begun = children(studio)
     assert begun
-    studio.send_signal(signal.SIGINT)
+    studio.send_signal(number)
     assert studio.wait(LONGEST) == 0
     assert studio.stderr.read() == ""
     assert all_gone(begun)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import secrets
+import signal
 import socket
 from collections.abc import Callable, Sequence
 from contextlib import suppress
@@ -15,6 +16,8 @@ from torquerig.studio.server.compute import Compute
 from torquerig.studio.session.studio_lock import studio_lock
 
 if TYPE_CHECKING:
+    from types import FrameType
+
     from torquerig.studio.server.step import Step
     from torquerig.studio.server.tabs import Tabs
 
@@ -34,6 +37,11 @@ def refuse_missing_extra() -> None:
     """Raise InputError where the packages of the studio are not installed."""
     if find_spec("nicegui") is None:
         raise InputError(f"the studio needs a package that is not installed; run {EXTRA}")
+
+
+def _as_ctrl_c(number: int, frame: FrameType | None) -> None:
+    """End by SIGTERM as by Ctrl-C, so that the computing process ends too."""
+    raise KeyboardInterrupt
 
 
 def free_port(port: int | None) -> int:
@@ -72,6 +80,7 @@ def run_studio(
     refuse_missing_extra()
     used = free_port(port)
     with studio_lock(folder):
+        signal.signal(signal.SIGTERM, _as_ctrl_c)
         compute = Compute()
         from torquerig.studio.server.warm_up import warm_up
 
@@ -91,12 +100,11 @@ def _serve(
     from nicegui import app, run, ui
 
     from torquerig.studio.server.guard import Guard
-    from torquerig.studio.server.plot import prepare
     from torquerig.studio.server.tabs import Tabs
     from torquerig.studio.steps import STEPS
 
-    app.on_startup(lambda: run.io_bound(prepare))
     tabs = Tabs(folder, scenario, tuple(catalogs), compute)
+    app.on_startup(lambda: run.io_bound(_prepare, tabs))
     _serve_files()
     app.add_middleware(Guard, token=token, port=port)
 
@@ -111,6 +119,14 @@ def _serve(
         tailwind=False, show_welcome_message=False, gzip_middleware_factory=None, favicon="🔧",
         binding_refresh_interval=None, reconnect_timeout=10.0, ws_per_message_deflate=False,
     )  # fmt: skip
+
+
+def _prepare(tabs: Tabs) -> None:
+    """Do what the first page needs while the browser loads it."""
+    from torquerig.studio.server.plot import prepare
+
+    tabs.prepare()
+    prepare()
 
 
 def _serve_files() -> None:
