@@ -80,14 +80,15 @@ def _completed(
     from torquerig.study.preflight import check_study
     from torquerig.study.simulated_drives import simulated_drives
 
-    scenarios = {one: scenario_of(one, study, seed=study.settings.seed) for one in listed}
+    missing = [one for one in listed if one not in results]
+    # a drive that is kept passed the check; it needs the present motor, and the operating point is that of the first
+    checked = {*missing, listed[0], *(one for one in listed if one.motor == study.settings.present.motor)}
+    scenarios = {one: scenario_of(one, study, seed=study.settings.seed) for one in listed if one in checked}
     check_study(study, scenarios)
-    missing = {one: made for one, made in scenarios.items() if one not in results}
     if missing and progress is not None:
         progress(len(results), len(listed), "")
-    names = list(missing)
-    for row, result in simulated_drives(missing, study, workers=workers):
-        results[names[row]] = result
+    for row, result in simulated_drives({one: scenarios[one] for one in missing}, study, workers=workers):
+        results[missing[row]] = result
         if store is not None:
             store.keep(result)
         if progress is not None:

@@ -50,6 +50,7 @@ def rating_drawing(technical: KesselringResult, economic: KesselringResult, *, n
     parts += _column(RIGHT + 14, (TOP + BOTTOM) / 2, list(legend))
     body = "".join(parts)
     return (
+        '<?xml version="1.0" encoding="UTF-8"?>\n'
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}pt" height="{HEIGHT}pt" viewBox="0 0 {WIDTH} {HEIGHT}">'
         f'<rect width="{WIDTH}" height="{HEIGHT}" fill="#ffffff"/>'
         f'<clipPath id="axes"><rect x="{LEFT}" y="{TOP}" width="{RIGHT - LEFT}" height="{BOTTOM - TOP}"/></clipPath>'
