@@ -63,14 +63,14 @@ _HEAD = f"{_MARK}: the nominal rig with fitted parameters and the findings."
     show_default=True,
     help="How hypotheses are compared; likelihood is under development (docs/known-limits.md).",
 )
-@click.option("--held-out", "held_out", multiple=True, metavar="RECORDING",
+@click.option("--held-out", "held_out", multiple=True, metavar="RECORDING", type=click.Path(path_type=Path),
               help="Recording that is not fitted and judges the models (may be repeated, needs --engine likelihood); "
               "default: a third of every recording.")  # fmt: skip
 @set_option
 @catalog_option
 def command(
     *, recordings: tuple[Path, ...], scenario: Path, out: str | None, report: Path | None, pdf: bool,
-    model: Path | None, check: bool, seed: int, workers: int | None, engine: str, held_out: tuple[str, ...],
+    model: Path | None, check: bool, seed: int, workers: int | None, engine: str, held_out: tuple[Path, ...],
     settings: tuple[str, ...], catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Find which physics the SCENARIO lacks, given RECORDINGS of one rig.
@@ -132,7 +132,7 @@ def _printed(report: Path | None) -> Path:
     return report.with_suffix(".pdf")
 
 
-def _check_held_out(held_out: Sequence[str], engine: str) -> None:
+def _check_held_out(held_out: Sequence[Path], engine: str) -> None:
     if held_out and engine != "likelihood":
         raise click.UsageError("--held-out needs --engine likelihood; the other engine holds out parts of every run.")
 
@@ -145,7 +145,7 @@ def _write_model(target: Path, completed: Rig, made: Scenario) -> None:
 
 
 def _by_rules(
-    scenario: Scenario, recordings: Sequence[Recording], _: Sequence[str], seed: int, progress: Callable[[str], None]
+    scenario: Scenario, recordings: Sequence[Recording], _: Sequence[Path], seed: int, progress: Callable[[str], None]
 ) -> Diagnosed:
     from torquerig.cli.diagnose_parts.by_rules import diagnosed_by_rules
 
@@ -153,7 +153,7 @@ def _by_rules(
 
 
 def _by_likelihood(
-    scenario: Scenario, recordings: Sequence[Recording], held_out: Sequence[str], seed: int,
+    scenario: Scenario, recordings: Sequence[Recording], held_out: Sequence[Path], seed: int,
     progress: Callable[[str], None],
 ) -> Diagnosed:  # fmt: skip
     from torquerig.cli.diagnose_parts.by_likelihood import diagnosed_by_likelihood
@@ -195,7 +195,7 @@ def _read(paths: tuple[Path, ...]) -> list[Recording]:
 
 def _check(
     recordings: tuple[Path, ...], scenario: Path, settings: tuple[str, ...], catalogs: tuple[Path, ...], *,
-    seed: int, out: str | None, engine: str, held_out: tuple[str, ...], written: Sequence[tuple[Path, str]],
+    seed: int, out: str | None, engine: str, held_out: tuple[Path, ...], written: Sequence[tuple[Path, str]],
 ) -> None:  # fmt: skip
     from torquerig.reporting.diagnosis.run_check import run_check
     from torquerig.reporting.json_results.diagnosis import DiagnoseCheckResult
@@ -226,7 +226,7 @@ def _check(
 
 
 def _command(
-    recordings: tuple[Path, ...], scenario: Path, *, settings: tuple[str, ...], held_out: tuple[str, ...], engine: str,
+    recordings: tuple[Path, ...], scenario: Path, *, settings: tuple[str, ...], held_out: tuple[Path, ...], engine: str,
     seed: int,
 ) -> str:  # fmt: skip
     """Return the command that reproduces the diagnosis, without folders of this machine."""
@@ -234,7 +234,7 @@ def _command(
     names = [_named(path) or "" for path in recordings]
     fixed = ["--seed", str(seed)] if seed else []
     fixed += ["--engine", engine] if engine != "rules" else []
-    fixed += [part for name in held_out for part in ("--held-out", Path(name).name)]
+    fixed += [part for name in held_out for part in ("--held-out", name.name)]
     return shlex.join(
         ["torquerig", "diagnose", *names, "--scenario", _named(scenario) or "", *edits, *fixed, "--json",
          "diagnosis.json", "--report", "diagnosis.html"]

@@ -26,12 +26,12 @@ def refuse_measured_motion(scenario: Scenario) -> None:
 
 
 def diagnosed_by_likelihood(
-    scenario: Scenario, recordings: Sequence[Recording], *, held_out: Sequence[str], seed: int,
+    scenario: Scenario, recordings: Sequence[Recording], *, held_out: Sequence[Path], seed: int,
     progress: Callable[[str], None],
 ) -> Diagnosed:  # fmt: skip
     """Return the diagnosis by the second engine.
 
-    ``held_out`` holds recordings, as paths or names, that are not fitted.
+    ``held_out`` holds recordings that are not fitted.
 
     Raises
     ------
@@ -39,7 +39,7 @@ def diagnosed_by_likelihood(
         For a rig whose motion was measured, which this engine does not compare yet.
     """
     refuse_measured_motion(scenario)
-    names = [Path(one).name for one in held_out]
+    names = [one.name for one in held_out]
     outcome = diagnose(scenario, as_measured(recordings, scenario.rig), held_out=names, progress=progress)
     return Diagnosed(
         data=as_json(outcome), completed=outcome.completed if outcome.completes else None, lines=_lines,

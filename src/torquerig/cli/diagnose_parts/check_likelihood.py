@@ -19,7 +19,7 @@ from torquerig.scenario.recorded.compared_channel import as_measured
 
 
 def checked_by_likelihood(
-    scenario: Scenario, recordings: Sequence[Recording], lines: Sequence[str], *, held_out: Sequence[str]
+    scenario: Scenario, recordings: Sequence[Recording], lines: Sequence[str], *, held_out: Sequence[Path]
 ) -> DiagnoseCheckResult:
     """Return the check of the first engine, ``lines``, with what the recordings would show of each mechanism.
 
@@ -31,7 +31,7 @@ def checked_by_likelihood(
         As a diagnosis.
     """
     refuse_measured_motion(scenario)
-    names = [Path(one).name for one in held_out]
+    names = [one.name for one in held_out]
     with stages("diagnose --check") as progress:
         ready = prepared(scenario, as_measured(recordings, scenario.rig), held_out=names, progress=progress)
         progress("computing what the recordings would show")
