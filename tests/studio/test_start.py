@@ -8,6 +8,11 @@ from torquerig.cli import main
 from torquerig.studio.session.studio_lock import studio_lock
 
 
+@pytest.fixture
+def extra():
+    pytest.importorskip("nicegui")
+
+
 def refused(capsys, *words):
     with pytest.raises(SystemExit) as ended:
         main(["studio", *map(str, words), "--no-browser"])
@@ -18,6 +23,7 @@ def refused(capsys, *words):
     return said.err
 
 
+@pytest.mark.usefixtures("extra")
 def test_a_port_in_use(tmp_path, capsys):
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
@@ -26,6 +32,7 @@ def test_a_port_in_use(tmp_path, capsys):
         assert "another program uses this port" in refused(capsys, tmp_path, "--port", port)
 
 
+@pytest.mark.usefixtures("extra")
 def test_a_second_studio_on_one_folder(tmp_path, capsys):
     with studio_lock(tmp_path):
         assert "a studio works on this folder already" in refused(capsys, tmp_path)
