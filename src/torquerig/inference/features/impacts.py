@@ -27,7 +27,7 @@ _HARMONICS = 3
 _OVERSAMPLED = 2  # points of the grid of orders for each bin
 _MOST = 12.0  # [1] times the noise that one bin counts
 _NEIGHBOURS = 50  # bins either way whose median is the noise of a bin
-_LARGEST_PART = 5  # of a beat: a lower order whose other multiples beat too
+_LARGEST_PART = 9  # of a beat: a lower order whose other multiples beat too
 _BEATS = 4.0  # [1] times the noise, in the mean
 _TURNS = 6.0  # of the shaft in a block at least
 
@@ -67,6 +67,8 @@ def search_impacts(seen: Sequence[RunFeatures], turns: float) -> Impact | None:
     if log_p > log(LEVEL):
         return None
     order = _fundamental(beats, int(band), float(orders[at]), turns)
+    if order < _ORDERS[0]:  # something that passes less than twice a turn
+        return None
     return Impact(order, _LOWEST * 2 ** (_OCTAVES * (float(band) + 0.5)), log_p)
 
 
@@ -134,7 +136,7 @@ def _fundamental(beats: Sequence[_Beats], band: int, order: float, turns: float)
     """Return the lowest order of which ``order`` is a multiple and whose other multiples beat too."""
     for part in range(_LARGEST_PART, 1, -1):
         others = np.array([each for each in range(1, 2 * part) if each % part]) * order / part
-        if order / part >= _ORDERS[0] and np.mean([_at(each, band, others * turns) for each in beats]) > _BEATS:
+        if np.mean([_at(each, band, others * turns) for each in beats]) > _BEATS:
             return order / part
     return order
 

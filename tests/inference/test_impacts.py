@@ -1,0 +1,43 @@
+"""Beats of an envelope: found at the order of impacts, not where noise or a slower rhythm is."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.signal import lfilter
+
+from tests.inference.drawn_runs import drawn_run, steady
+from torquerig.inference.features.impacts import search_impacts
+from torquerig.inference.features.run_features import run_features
+
+RATE = 2000.0
+
+
+def struck(order, *, seed, size=0.5, frequency=420.0, damping=0.03):
+    """Return a run with rings of a mode, ``order`` times a turn."""
+    run = drawn_run(seed, speed=steady(1200, rate=RATE), rate=RATE, noise=0.05)
+    passed = np.floor(run.angle * order / (2 * np.pi))
+    kicks = np.concatenate([[0.0], np.diff(passed)])
+    pole = np.exp(2 * np.pi * frequency * (1j - damping) / RATE)
+    return replace(run, torque=run.torque + size * lfilter([1.0], [1.0, -pole], kicks.astype(complex)).imag)
+
+
+def found(*runs):
+    return search_impacts([run_features(run, []) for run in runs], 1.0)
+
+
+def test_impacts_are_found_at_their_order_and_not_at_a_multiple():
+    impact = found(struck(3.57, seed=1), struck(3.57, seed=2))
+    assert impact.order == pytest.approx(3.57, rel=0.005)
+    assert 250 < impact.frequency < 650  # half-octave bands next to 420 Hz
+
+
+def test_noise_has_no_impacts():
+    # p-value 1e-4 a search
+    assert [found(drawn_run(seed, speed=steady(1200))) for seed in range(20, 30)] == [None] * 10
+
+
+def test_what_passes_once_in_three_turns_is_no_bearing():
+    assert found(struck(1 / 3, seed=3, size=2.0), struck(1 / 3, seed=4, size=2.0)) is None
