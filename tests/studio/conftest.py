@@ -27,10 +27,11 @@ def start_studio():
         reason = "the extra studio is not installed: pip install 'torquerig[studio]'"
         pytest.fail(reason) if os.environ.get("TORQUERIG_BROWSER") == "required" else pytest.skip(reason)
     started = []
-    env = {name: one for name, one in os.environ.items() if not name.startswith("PYTEST")}  # NiceGUI looks for them
-    env["PYTHONUNBUFFERED"] = "1"
+    # NiceGUI looks for variables of pytest
+    inherited = {name: one for name, one in os.environ.items() if not name.startswith("PYTEST")}
 
-    def start(where, *options):
+    def start(where, *options, **variables):
+        env = {**inherited, "PYTHONUNBUFFERED": "1", **variables}
         command = [sys.executable, "-m", "torquerig", "studio", str(where), "--no-browser", *options]
         printed = (where.parent if where.is_file() else where) / "studio.log"
         log = printed.open("w+")

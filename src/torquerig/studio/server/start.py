@@ -105,6 +105,7 @@ def _serve(
 
     tabs = Tabs(folder, scenario, tuple(catalogs), compute)
     app.on_startup(lambda: run.io_bound(_prepare, tabs))
+    app.config.quasar_config["loadingBar"]["skipHijack"] = True  # its bar has no name for a screen reader
     _serve_files()
     app.add_middleware(Guard, token=token, port=port)
 

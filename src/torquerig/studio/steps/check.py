@@ -25,7 +25,7 @@ class _Check:
               kind="note")  # fmt: skip
         self._files = ChosenRecordings(tab, self._outdated)
         with ui.element("div").classes("acts"):
-            button("Check", self._check)
+            button("Check the recordings", self._check)
         self._line = words("", kind="note").props("role=status")
         self._result = ui.element("div")
         self._sizes = VisibleSizes(tab, self._files)
