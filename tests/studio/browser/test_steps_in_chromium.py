@@ -150,12 +150,30 @@ def test_a_study_is_cancelled_and_taken_up_again(opened, folder):
     stated = page.inner_text("#matrix-winner")
     page.get_by_label("weight of price, number").fill("0.5")
     assert page.inner_text("#matrix-winner") != stated
-    clicked(page, "Take these numbers into the scenario")
-    wait_for(page, "1 number taken into the scenario.")
+    clicked(page, "Take these numbers into the file")
+    wait_for(page, "1 number taken into wear_rig.yaml.")
     page.get_by_role("button", name="Save", exact=True).click()
     wait_for(page, "wear_rig.yaml: saved")
     assert yaml.safe_load((folder / "wear_rig.yaml").read_text())["study"]["criteria"]["price"]["weight"] == 0.5
     assert shown.errors == []
+
+
+def test_the_numbers_of_a_matrix_file_are_moved_and_saved(opened, folder):
+    shutil.copy(SCENARIOS / "matrix_example.yaml", folder)
+    before = (folder / "matrix_example.yaml").read_text(encoding="utf-8")
+    page = opened("compare").page
+    page.get_by_label("matrices of").select_option("matrix_example.yaml")
+    page.wait_for_function("() => document.getElementById('matrix-winner')?.innerText.startsWith('First')")
+    name = next(key for key, one in yaml.safe_load(before)["criteria"].items() if one.get("weight"))
+    page.get_by_label(f"weight of {name}, number").fill("0.77")
+    clicked(page, "Take these numbers into the file")
+    wait_for(page, "1 number taken into matrix_example.yaml.")
+    page.get_by_role("button", name="Save the file of the matrices").click()
+    wait_for(page, "matrix_example.yaml: saved")
+    after = (folder / "matrix_example.yaml").read_text(encoding="utf-8")
+    changed = [line for line in after.splitlines() if line not in before.splitlines()]
+    assert len(changed) == 1
+    assert yaml.safe_load(after)["criteria"][name]["weight"] == 0.77
 
 
 @pytest.mark.parametrize("engine", ["likelihood", "rules"])

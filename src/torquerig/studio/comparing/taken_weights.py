@@ -1,4 +1,4 @@
-"""Weights, limits and points that were moved on the page, as edits of the study in the scenario."""
+"""Weights, limits and points that were moved on the page, as edits of the scenario or of a matrix file."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def moved_values(document: WorkingDocument, moved: Mapping[str, Any]) -> tuple[t
     Parameters
     ----------
     document : WorkingDocument
-        The scenario with its study.
+        A scenario with its study, or a matrix.
     moved : mapping
         The matrices as the page holds them; see ``reporting.moving.matrix_model``.
     """
@@ -28,10 +28,11 @@ def moved_values(document: WorkingDocument, moved: Mapping[str, Any]) -> tuple[t
 
 def _criteria(document: WorkingDocument, criteria: Any) -> Iterator[tuple[Keys, float]]:
     for one in criteria:
-        where: Keys = ("study", "criteria", str(one["name"]))
+        where = _criterion(document, str(one["name"]))
         if not isinstance(document.value(*where), dict):
             continue
-        yield (*where, "weight"), float(one["weight"])
+        if one["weight"] or document.value(*where, "weight") is not None:  # without one it is 0
+            yield (*where, "weight"), float(one["weight"])
         stated = document.value(*where, "points")
         for value, points in one.get("knots") or ():
             key = next((name for name in stated or () if _is(name, float(value))), None)
@@ -41,10 +42,17 @@ def _criteria(document: WorkingDocument, criteria: Any) -> Iterator[tuple[Keys, 
 
 def _limits(document: WorkingDocument, requirements: Any) -> Iterator[tuple[Keys, float]]:
     for one in requirements:
+        name = str(one["name"])
+        where: Keys = ("study", "requirements", name)
+        if document.kind == "matrix":
+            where = (*_criterion(document, name), "requirement")
         for end, key in (("low", "min"), ("high", "max")):
-            where: Keys = ("study", "requirements", str(one["name"]), key)
-            if one.get(end) is not None and document.value(*where) is not None:
-                yield where, float(one[end])
+            if one.get(end) is not None and document.value(*where, key) is not None:
+                yield (*where, key), float(one[end])
+
+
+def _criterion(document: WorkingDocument, name: str) -> Keys:
+    return ("criteria", name) if document.kind == "matrix" else ("study", "criteria", name)
 
 
 def _is(stated: Any, number: float) -> bool:

@@ -6,13 +6,12 @@ from nicegui import ui
 
 from torquerig.studio.comparing.compared import compared
 from torquerig.studio.comparing.question import StudyQuestion, StudyShown
-from torquerig.studio.comparing.taken_weights import moved_values
 from torquerig.studio.jobs.job import Job, start
 from torquerig.studio.server.elements import button, folded, say_in, table, words
 from torquerig.studio.server.step import Step
 from torquerig.studio.server.tab import Tab
 from torquerig.studio.steps.answer_screen import answer_html
-from torquerig.studio.steps.compare_matrices import Matrices
+from torquerig.studio.steps.compare_numbers import MovedNumbers
 from torquerig.studio.steps.job_panel import JobPanel
 
 
@@ -33,12 +32,9 @@ class _Compare:
             self._count = words("", kind="note")
             with ui.element("div").classes("acts"):
                 button("Save the report as a page", self._download)
-            words("Other weights, limits and points", "h3")
-            self._matrices = Matrices()
-            with ui.element("div").classes("acts"):
-                button("Take these numbers into the scenario", self._take)
             with folded("Drives that are eliminated or open, and why"):
                 self._out = ui.element("div")
+        self._numbers = MovedNumbers(tab)
         tab.on_change(self._show_state)
         self._show_state()
 
@@ -65,7 +61,7 @@ class _Compare:
         self._result.classes(remove="hidden")
         self._answer.set_content(answer_html(found.answer))
         say_in(self._count, f"{found.drives} drives, {found.from_store} of them kept from an earlier run.")
-        self._matrices.show(found.model)
+        self._numbers.show_study(found.model)
         self._out.clear()
         with self._out:
             table(("drive", "decision", "why"), found.not_ranked)
@@ -73,22 +69,6 @@ class _Compare:
     def _download(self) -> None:
         if self._found is not None and self.tab.path is not None:
             ui.download.content(self._found.page, f"{self.tab.path.stem}-study.html", "text/html")
-
-    async def _take(self) -> None:
-        path, session = self.tab.path, self.tab.session
-        if path is None:
-            return
-        moved = moved_values(session.open(path), await self._matrices.moved())
-
-        def take() -> None:
-            for keys, number in moved:
-                session.edit(path, keys, number)
-
-        if not moved:
-            self.tab.say("Nothing differs from the scenario.")
-        elif self.tab.attempt(take):
-            count = "1 number" if len(moved) == 1 else f"{len(moved)} numbers"
-            self.tab.say(f"{count} taken into the scenario. Undo goes back; Save writes the file.")
 
 
 def build(tab: Tab) -> None:
