@@ -7,6 +7,7 @@ from pathlib import Path
 
 from nicegui import ui
 
+from torquerig.recordings.files.sidecar_choice import find_sidecar
 from torquerig.studio.server.elements import words
 from torquerig.studio.server.tab import Tab
 
@@ -14,7 +15,7 @@ CHECKED = "(event) => emit(event.target.checked)"
 
 
 class ChosenRecordings:
-    """Check boxes for the recordings of the folder; all are chosen first.
+    """Check boxes for the recordings of the folder; those with a sidecar are chosen first, or all where none has one.
 
     Parameters
     ----------
@@ -40,6 +41,9 @@ class ChosenRecordings:
         found = self.tab.session.files().recordings
         if found == self._listed:
             return
+        known = {one for one in found if find_sidecar(one) is not None}
+        arrived = set(found) - set(self._listed or ())
+        self._left_out |= (arrived - known) if known else set()
         self._listed = found
         self._holder.clear()
         with self._holder:
