@@ -195,3 +195,26 @@ def test_a_limit_eliminates_and_says_so(open_page, study_file):
     rows = "[...document.querySelectorAll('#live-elimination tbody tr')]"
     decisions = shown.js(f"{rows}.map((row) => row.lastElementChild.innerText)")
     assert set(decisions) == {"eliminate"}
+
+
+RATIO = """(text) => {
+  document.getElementById('try').open = true;
+  const slider = document.querySelector('#matrix-controls input[aria-label^="ratio"]');
+  const texts = ['all', ...ratiosOf(torquerigMatrices.state.model.groups)];
+  slider.value = texts.indexOf(text);
+  slider.dispatchEvent(new Event('input'));
+  const names = [...document.querySelectorAll('#live-ranking tbody th')].map((one) => one.innerText);
+  return [texts, names, document.getElementById('matrix-winner').innerText];
+}"""
+
+
+def test_a_slider_picks_a_ratio_that_the_study_computed(open_page, study_file):
+    shown = open_page(study_file)
+    texts, every, winner = shown.js(RATIO, "all")
+    assert texts[:2] == ["all", "5:1"]
+    assert "With ratio" not in winner
+    _, names, winner = shown.js(RATIO, "5:1")
+    assert names == [one for one in every if "5:1 |" in one]
+    assert f"With ratio 5:1: {names[0]}, T/T_max" in winner
+    shown.page.click("#matrix-reset")
+    assert "With ratio" not in shown.js("document.getElementById('matrix-winner').innerText")

@@ -73,14 +73,35 @@ function limitRow(model, at, changed) {
     element("div", {}, end("low", "at least"), end("high", "at most")));
 }
 
+// Ratios of the drives, rising, as their names end with: "5:1", "2.5:1 of 12.5:1".
+function ratiosOf(groups) {
+  const found = groups.map((name) => (name.match(/[\d.]+:1(?: of [\d.]+:1)?$/) || [""])[0]).filter(Boolean);
+  return [...new Set(found)].sort((one, other) => parseFloat(one.split(" of ").pop()) - parseFloat(other.split(" of ").pop()));
+}
+
+function ratioRow(state, render) {
+  const texts = ["all", ...ratiosOf(state.model.groups)];
+  if (texts.length < 3) return null;
+  const output = element("output", { text: state.ratio || "all" });
+  const slider = element("input", { type: "range", min: 0, max: texts.length - 1, step: 1, value: Math.max(texts.indexOf(state.ratio), 0), "aria-label": "ratio of the drives in ranking and S-diagram", "aria-valuetext": state.ratio || "all" });
+  slider.addEventListener("input", () => {
+    const text = texts[Number(slider.value)];
+    state.ratio = slider.value === "0" ? "" : text;
+    output.textContent = text;
+    slider.setAttribute("aria-valuetext", text);
+    render();
+  });
+  return element("div", { class: "control" }, element("span", { text: "ratio" }), slider, output);
+}
+
 function startMatrices() {
   const host = document.getElementById("matrix-controls");
   if (!host) return;
-  const state = { model: readMatrix(), data: MATRIX_DATA, stated: solveMatrices(readMatrix()) };
+  const state = { model: readMatrix(), data: MATRIX_DATA, stated: solveMatrices(readMatrix()), ratio: "" };
   const render = () => {
     const solved = solveMatrices(state.model);
     if (solved.overall === null) return "all weights are 0; give at least one criterion a weight above 0";
-    showMatrices(state.model, solved, state.stated);
+    showMatrices(state.model, solved, state.stated, state.ratio);
     return "";
   };
   const changed = (edit) => {
@@ -93,13 +114,14 @@ function startMatrices() {
   };
   const build = () => {
     const groups = [
+      ["Drives that the study computed", [ratioRow(state, render)]],
       ["Weights", state.model.criteria.map((one, at) => (one.knots ? weightRow(state.model, at, changed) : null))],
       ["Limits", state.model.requirements.map((_, at) => limitRow(state.model, at, changed))],
       ["Points", state.model.criteria.map((one, at) => (one.knots && one.weight > 0 ? pointsRow(state.model, at, changed) : null))],
     ];
     host.replaceChildren(
       ...groups.filter(([, rows]) => rows.some(Boolean)).map(([title, rows]) => element("fieldset", {}, element("legend", { text: title }), ...rows)),
-      element("button", { type: "button", id: "matrix-reset", text: "Back to the stated values", onclick: () => { state.model = readMatrix(state.data); build(); render(); } }),
+      element("button", { type: "button", id: "matrix-reset", text: "Back to the stated values", onclick: () => { Object.assign(state, { model: readMatrix(state.data), ratio: "" }); build(); render(); } }),
     );
   };
   build();

@@ -44,26 +44,33 @@ function bodyRow(name, cells, isBold) {
   return element("tr", { class: isBold ? "bold" : null }, element("th", { scope: "row", text: name }), ...cells);
 }
 
-function showMatrices(model, solved, stated) {
-  showWinner(model, solved, stated);
-  showRanking(model, solved);
+function showMatrices(model, solved, stated, ratio = "") {
+  const kept = solved.ranked.filter((at) => hasRatio(model, solved.rows[at], ratio));
+  showWinner(model, solved, stated, ratio, kept);
+  showRanking(model, solved, kept);
   showElimination(model, solved);
   showPugh(model, solved);
   showPoints(model, solved);
-  drawStrength(model, solved);
+  drawStrength(model, solved, ratio);
 }
 
-function showWinner(model, solved, stated) {
+function hasRatio(model, row, ratio) {
+  const name = model.groups[model.rows[row].group];
+  return !ratio || name === ratio || name.endsWith(` ${ratio}`);
+}
+
+function showWinner(model, solved, stated, ratio, kept) {
   const before = stated.winner, host = document.getElementById("matrix-winner");
   if (solved.winner === null) { host.textContent = "No alternative meets these requirements."; return; }
   const name = model.rows[solved.winner].name, share = solved.overall.share[solved.rows.indexOf(solved.winner)];
   const same = before === solved.winner ? "as with the stated values" : `with the stated values it is ${before === null ? "none" : model.rows[before].name}`;
-  host.textContent = `First: ${name}, T/T_max ${share.toFixed(3)}; ${same}.`;
+  const of = ratio && (kept.length ? `${model.rows[solved.rows[kept[0]]].name}, T/T_max ${solved.overall.share[kept[0]].toFixed(3)}` : "no drive meets the requirements");
+  host.textContent = `First: ${name}, T/T_max ${share.toFixed(3)}; ${same}.${ratio ? ` With ratio ${ratio}: ${of}.` : ""}`;
 }
 
-function showRanking(model, solved) {
+function showRanking(model, solved, kept) {
   const found = solved.overall;
-  const shown = solved.ranked.slice(0, MOST_RANKED);
+  const shown = kept.slice(0, MOST_RANKED);
   const baseline = solved.rows.indexOf(model.baseline);
   if (baseline >= 0 && !shown.includes(baseline)) shown.push(baseline);
   const rows = () => shown.map((at) => bodyRow(model.rows[solved.rows[at]].name, [
@@ -106,7 +113,7 @@ function showPoints(model, solved) {
   fillTable("live-kesselring", [["alternative"], ...heads, ["T", true], ["T/T_max", true], ["rank", true]], rows);
 }
 
-function drawStrength(model, solved) {
+function drawStrength(model, solved, ratio) {
   const host = document.getElementById("live-strength");
   if (!host) return;
   host.hidden = !solved.economic;
@@ -125,7 +132,8 @@ function drawStrength(model, solved) {
     shape("text", { x: place(value), y: size - edge + 14, "text-anchor": "middle" }, value),
     shape("text", { x: edge - 6, y: size - place(value) + 4, "text-anchor": "end" }, value),
   ]);
-  const dots = solved.rows.map((row, at) => {
+  const drawn = solved.rows.map((row, at) => [row, at]).filter(([row]) => row === model.baseline || hasRatio(model, row, ratio));
+  const dots = drawn.map(([row, at]) => {
     const x = solved.technical.share[at], y = solved.economic.value[at], chosen = row === solved.winner;
     const dot = shape("circle", { cx: place(x), cy: size - place(y), r: chosen ? 7 : 3.5, class: chosen ? "chosen" : row === model.baseline ? "baseline" : "dot" });
     dot.append(shape("title", {}, `${model.rows[row].name}: technical ${x.toFixed(3)}, economic ${y.toFixed(3)}`));
