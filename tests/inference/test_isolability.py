@@ -77,7 +77,7 @@ def test_a_second_speed_separates_an_order_from_a_tone(scenario):
     hum = rig + mechanisms.MainsInterference(name="hum", frequency=50.0, amplitudes=(0.05,))
     line = rig + mechanisms.TorqueRipple(name="odd", at="pump", group="mechanical", amplitudes={3.0: 0.1})
     names = ("mains_interference", "blade_pass")
-    said = separating_run(hum, line, ready.data.seen, ready.nominal.off, names=names)
+    said = separating_run(hum, line, ready.data.seen, ready.nominal, names=names)
     assert said.startswith("Record a steady run at")
     assert "1000 rpm" not in said
 
@@ -85,7 +85,7 @@ def test_a_second_speed_separates_an_order_from_a_tone(scenario):
 @pytest.mark.long
 def test_no_run_separates_a_model_from_itself(ready):
     rig = ready.nominal.fitted_rig
-    said = separating_run(rig, rig, ready.data.seen, ready.nominal.off, names=("gear_mesh", "cogging"))
+    said = separating_run(rig, rig, ready.data.seen, ready.nominal, names=("gear_mesh", "cogging"))
     assert said.startswith("No other speed, load, run-up or reversal separates gear mesh from cogging.")
 
 

@@ -47,4 +47,4 @@ def _separating(outcome: Outcome, each: Addition, other: Addition, *, names: tup
     instead = exchanged(fit, outcome.data, less=each, more=other)
     if instead is None:
         return None
-    return separating_run(outcome.completed, instead, outcome.data.seen, fit.off, names=names)
+    return separating_run(outcome.completed, instead, outcome.data.seen, fit, names=names)

@@ -47,7 +47,7 @@ def beforehand(ready: Prepared) -> Beforehand:
 def _inseparable(context: Context, pair: Pair) -> Inseparable:
     names = (pair.one.addition.mechanism, pair.other.addition.mechanism)
     run = separating_run(
-        _with(context, pair.one), _with(context, pair.other), context.data.seen, context.fit.off, names=names
+        _with(context, pair.one), _with(context, pair.other), context.data.seen, context.fit, names=names
     )
     return Inseparable(pair.one.addition.label, pair.other.addition.label, names, run)
 

@@ -3,35 +3,50 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
+from torquerig.diagnosis.fitting.knobs import Knob, turned
 from torquerig.errors import TorquerigError
 from torquerig.inference.addition import Addition
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.fit import Data, Fit, fitted
 from torquerig.inference.isolability.further_runs import FurtherRun, further_runs
-from torquerig.inference.likelihood import Discrepancy, floor_density, residuals
+from torquerig.inference.likelihood import Residuals, floor_density, residuals
+from torquerig.inference.load_spectrum import gain_shapes, with_gains
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
 from torquerig.inference.search import LEAST_GAIN
 from torquerig.rig.assembly import Rig
 
+Floats = NDArray[np.float64]
 
-def separating_run(
-    one: Rig, other: Rig, seen: Sequence[RunFeatures], off: Discrepancy, *, names: tuple[str, str]
-) -> str:
-    """Return the cheapest further run by which the likelihood of two models differs by ``LEAST_GAIN`` nats, as text."""
+_STEP = 0.05  # [standard deviations] of a difference quotient
+_FOLLOWED = 3  # runs of one cost, those that differ most, for which the parameters are followed
+
+
+def separating_run(one: Rig, other: Rig, seen: Sequence[RunFeatures], fit: Fit, *, names: tuple[str, str]) -> str:
+    """Return the cheapest further run by which the likelihood of two models differs by ``LEAST_GAIN`` nats, as text.
+
+    ``seen`` are the recorded runs and ``fit`` is the fit to them, which says how well the parameters are known.
+    """
     first, second = (name.replace("_", " ") for name in names)
-    rated = [(each, difference(one, other, each.seen, off)) for each in further_runs(seen, one)]
-    enough = [(each, nats) for each, nats in rated if nats >= LEAST_GAIN]
-    if not enough:
-        return (
-            f"No other speed, load, run-up or reversal separates {first} from {second}. "
-            "Inspect the part, or put a sensor next to it."
-        )
-    best = min(enough, key=lambda row: (row[0].cost, -row[1]))
-    return f"Record {_said(best[0])}. It separates {first} from {second} by {best[1]:.0f} nats of log-likelihood."
+    runs = list(further_runs(seen, one))
+    for cost in sorted({each.cost for each in runs}):
+        rated = [(each, _change(one, other, each.seen, fit)) for each in runs if each.cost == cost]
+        clear = sorted(((each, change) for each, change in rated if change is not None),
+                       key=lambda row: -float(row[1].value @ row[1].value))  # fmt: skip
+        best = max(((each, _nats(one, change, fit)) for each, change in clear[:_FOLLOWED]),
+                   key=lambda row: row[1], default=None)  # fmt: skip
+        if best is not None and best[1] >= LEAST_GAIN:
+            return (
+                f"Record {_said(best[0])}. It separates {first} from {second} by {best[1]:.0f} nats of log-likelihood."
+            )
+    return (
+        f"No other speed, load, run-up or reversal separates {first} from {second}. "
+        "Inspect the part, or put a sensor next to it."
+    )
 
 
 def exchanged(fit: Fit, data: Data, *, less: Addition, more: Addition) -> Rig | None:
@@ -49,15 +64,64 @@ def exchanged(fit: Fit, data: Data, *, less: Addition, more: Addition) -> Rig | 
         return None
 
 
-def difference(one: Rig, other: Rig, seen: RunFeatures, off: Discrepancy) -> float:
-    """Return by how much a run that behaves as the first model is more likely under it than under the other [nats]."""
+@dataclass(frozen=True, eq=False)
+class _Change:
+    """How a run that behaves as one model differs from another, in standard deviations."""
+
+    made: RunFeatures
+    here: Residuals
+    sd: Floats
+    value: Floats
+
+
+def _change(one: Rig, other: Rig, seen: RunFeatures, fit: Fit) -> _Change | None:
+    """Return the change of the residuals of a run from one model to the other; None where one cannot be evaluated."""
     try:
         true, wrong = expected_run(one, seen), expected_run(other, seen)
     except (TorquerigError, ValueError, OverflowError, np.linalg.LinAlgError):
-        return 0.0
+        return None
     made = _as_expected(seen, true)
-    there, here = residuals(made, wrong, off), residuals(made, true, off)
-    return 0.5 * float(np.sum(((there.value - here.value) / there.sd) ** 2))
+    there, here = residuals(made, wrong, fit.off), residuals(made, true, fit.off)
+    return _Change(made, here, there.sd, (there.value - here.value) / there.sd)
+
+
+def _nats(one: Rig, change: _Change, fit: Fit) -> float:
+    """Return by how much the run is more likely under the first model [nats].
+
+    What the recorded runs leave open of the parameters, with the covariance K, and the strength of the load in the run
+    may follow the other model: ``1/2 d' (I + J K J' + g g')^-1 d``.
+    """
+    spread = [column for knob, column in zip(fit.knobs, _roots(fit), strict=True) if _has(one, knob)]
+    knobs = [knob for knob in fit.knobs if _has(one, knob)]
+    slopes = np.stack([_slope(turned(one, [knob], np.array([_STEP])), change, fit) for knob in knobs], axis=1)
+    open_ones = np.concatenate([slopes @ np.array(spread), _strength(one, change, fit)[:, None]], axis=1)
+    followed = open_ones.T @ change.value
+    inner = np.eye(open_ones.shape[1]) + open_ones.T @ open_ones
+    return 0.5 * float(change.value @ change.value - followed @ np.linalg.solve(inner, followed))
+
+
+def _roots(fit: Fit) -> Floats:
+    """Return the lower root of the posterior covariance of the parameters."""
+    count = len(fit.knobs)
+    return np.asarray(np.linalg.cholesky(fit.covariance()[:count, :count] + 1e-12 * np.eye(count)))
+
+
+def _has(rig: Rig, knob: Knob) -> bool:
+    return any(part.name == knob.part for part in rig.parts)
+
+
+def _slope(rig: Rig, change: _Change, fit: Fit) -> Floats:
+    moved = residuals(change.made, expected_run(rig, change.made), fit.off)
+    return np.asarray((moved.value - change.here.value) / (_STEP * change.sd))
+
+
+def _strength(one: Rig, change: _Change, fit: Fit) -> Floats:
+    """Return the derivative by the strength of the load in this run."""
+    shape = gain_shapes(change.made, run=0, runs=1)
+    gains = np.zeros(shape.shape[2])
+    gains[-2] = _STEP  # the last one is the exponent of the speed
+    moved = residuals(change.made, with_gains(expected_run(one, change.made), shape, gains), fit.off)
+    return np.asarray((moved.value - change.here.value) / (_STEP * change.sd))
 
 
 def _as_expected(seen: RunFeatures, model: ExpectedRun) -> RunFeatures:
