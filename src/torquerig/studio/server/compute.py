@@ -13,7 +13,7 @@ from multiprocessing.connection import wait
 from threading import Thread
 from typing import ParamSpec, TypeVar
 
-from torquerig.errors import InputError
+from torquerig.errors import InputError, TorquerigError
 
 Given = ParamSpec("Given")
 Result = TypeVar("Result")
@@ -34,15 +34,23 @@ class Compute:
 
         Raises
         ------
+        TorquerigError
+            As the function raises it.
         InputError
-            Where the process ended, such as for lack of memory; the next call has a new one.
+            Where the process ended, such as for lack of memory (the next call has a new one), and for an error of
+            torquerig itself.
         """
         try:
             return await asyncio.wrap_future(self._pool.submit(function, *args, **named))
+        except TorquerigError:
+            raise
         except BrokenProcessPool:
             self._pool = _new_pool()
             raise InputError("the computing process ended, perhaps for lack of memory; close other programs and "
                              "change a value to compute again") from None  # fmt: skip
+        except Exception as error:
+            raise InputError(f"an error in torquerig itself ({type(error).__name__}: {error}); please report it with "
+                             "the scenario") from error  # fmt: skip
 
     def close(self) -> None:
         """End the process, also in the middle of its work."""
