@@ -70,7 +70,8 @@ def test_an_error_is_at_its_field_and_the_last_answer_stays(open_studio, shared_
     field.press("Enter")
     shown.page.wait_for_selector("[aria-invalid='true']")
     assert field.get_attribute("aria-invalid") == "true"
-    assert "200 N" in shown.text(f"#{field.get_attribute('aria-describedby')}")
+    said = shown.text(f"#{field.get_attribute('aria-describedby')}")
+    assert said.startswith("'200 N' is a force; a speed is wanted")
     assert shown.text(LARGE) == before
     assert shown.page.locator(".stale").count() == 1
     shown.change("output speed", "210 rpm")

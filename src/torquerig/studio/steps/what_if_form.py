@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -115,9 +116,10 @@ class WhatIfForm:
         """Show an error at the field that it is about, else above the answer; None takes all back."""
         text = "" if error is None else str(error)
         at = _blamed(question, text) if text else None
+        sentence = _plain(text, question)
         for keys, one in self._fields.items():
-            one.problem(text if keys == at else "")
-        self._say(text if at not in self._fields else "")
+            one.problem(sentence if keys == at else "")
+        self._say(sentence if at not in self._fields else "")
 
     def _draw(self, known: Changeable) -> None:
         self._place.clear()
@@ -171,6 +173,15 @@ class WhatIfForm:
     def _say(self, text: str) -> None:
         say_in(self._problem, text)
         self._problem.classes(remove="hidden") if text else self._problem.classes(add="hidden")
+
+
+def _plain(text: str, question: Question) -> str:
+    """Return an error without what only the command line has: its options, and the folder of the scenario."""
+    text = text.partition(" (the scenario was read with --set")[0].replace(f"{question.path.parent}{os.sep}", "")
+    for keys, value in question.settings:
+        place = ".".join(keys)
+        text = text.removeprefix(f"--set {place}={value}: ").removeprefix(f"{place}: ")
+    return text
 
 
 def _blamed(question: Question, text: str) -> Keys | None:
