@@ -16,7 +16,7 @@ from torquerig.study.candidates import candidates, scenario_of
 from torquerig.study.definition import Study, open_study
 from torquerig.study.planned_drive import settling_of
 from torquerig.study.rated_drives import feasible_combinations, rated_drives
-from torquerig.study.run_study import run_study
+from torquerig.study.run_study import drives_of, run_study
 from torquerig.study.scoring import Decided, decide
 from torquerig.study.settings import SpeedLoopRule
 from torquerig.study.trace import check_traced, traced_cell, traced_combinations, traced_drives
@@ -133,7 +133,7 @@ def test_the_catalog_values_of_a_drive_stand_once_with_all_that_rests_on_them() 
 )
 def test_an_unknown_cell_is_refused_before_the_study_runs_and_after_it(alternative: str, name: str, said: str) -> None:
     with pytest.raises(UnknownNameError, match=said):
-        check_traced(study(), [(alternative, name)])
+        check_traced(study(), [(alternative, name)], drives_of(study()))
     with pytest.raises(UnknownNameError, match=said):
         of(alternative, name)
 

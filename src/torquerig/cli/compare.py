@@ -36,7 +36,7 @@ from torquerig.study.definition import Study, open_study
 from torquerig.study.left_out import left_out_gearboxes
 from torquerig.study.operating_points import Point, points_of
 from torquerig.study.results import StudyRuns
-from torquerig.study.run_study import run_study
+from torquerig.study.run_study import drives_of, run_study
 from torquerig.study.scoring import Decided, decide
 from torquerig.study.study_facts import study_facts
 from torquerig.study.sweep import SweptPoint, sweep, sweep_axes
@@ -88,7 +88,6 @@ def command(
     if folder.exists() and not folder.is_dir():
         raise InputError(f"{folder} is a file; name a folder for the report with --out")
     refuse_unwritable(folder)
-    check_traced(study, traced)
     for path in matrices:
         check_target(path, force=force)
     if pdf:
@@ -97,6 +96,8 @@ def command(
     if all_points and (traced or matrices or pdf or sweeps):
         raise InputError("--trace, --matrix, --sweep and --pdf need one study; remove --all-points")
     with kept_results(cache, no_cache=no_cache) as kept:
+        if traced:
+            check_traced(study, traced, drives_of(study, kept))
         run = partial(_run, workers=workers, kept=kept)
         if all_points:
             return _compare_points(study, folder, run)
@@ -143,8 +144,23 @@ def _write_matrices(matrices: tuple[Path, ...], decided: Decided, *, name: str, 
 
 
 def _run(study: Study, title: str, *, workers: int | None, kept: KeptResults | None) -> StudyRuns:
-    with drive_progress(title) as progress:
-        runs = run_study(study, progress=progress, workers=workers, kept=kept)
+    measured = 0
+
+    def noted(done: int, total: int, name: str) -> None:
+        nonlocal measured
+        measured = done
+        progress(done, total, name)
+
+    try:
+        with drive_progress(title) as progress:
+            runs = run_study(study, progress=noted, workers=workers, kept=kept)
+    except KeyboardInterrupt as stop:
+        if kept is None:
+            raise
+        raise KeyboardInterrupt(
+            f"interrupted; {measured} drives of the {title} are kept in {kept.folder}, and the same command goes on "
+            "from there"
+        ) from stop
     if kept is not None:
         note_from_cache(runs.from_store)
         click.echo(f"{title}: {runs.from_store} of {len(runs.drives)} drives from the cache {kept.folder}", err=True)

@@ -12,7 +12,10 @@ from torquerig.version import __version__
 
 def _harmless(value: Any) -> Any:
     """Return text of foreign files without acting control characters; text that is HTML already stays HTML."""
-    return type(value)(harmless(value)) if isinstance(value, str) else value
+    if not isinstance(value, str):
+        return value
+    shown = harmless(value)
+    return value if shown == value else type(value)(shown)
 
 
 def html(template: str, content: Mapping[str, Any], *, folder: Path | None = None) -> str:

@@ -38,7 +38,7 @@ def run_study(
         For anything in the scenario, the filters or the catalog that cannot be used, before a run is started.
     """
     store = None if kept is None else KeptStudy(kept, study)
-    listed = _candidates(study, store)
+    listed = _listed(study, store)
     point = None if store is None else store.point(listed)
     found = {} if store is None else store.rows(listed)
     results, from_store = dict(found), len(found)
@@ -60,7 +60,12 @@ def run_drive(candidate: Candidate, study: Study) -> DriveResult:
     return next(iter(simulated_drives({candidate: scenario}, study)))[1]
 
 
-def _candidates(study: Study, store: KeptStudy | None) -> tuple[Candidate, ...]:
+def drives_of(study: Study, kept: KeptResults | None = None) -> tuple[Candidate, ...]:
+    """Return the drives of a study, kept or read from its scenario and catalog; errors as of :func:`run_study`."""
+    return _listed(study, None if kept is None else KeptStudy(kept, study))
+
+
+def _listed(study: Study, store: KeptStudy | None) -> tuple[Candidate, ...]:
     found = None if store is None else store.candidates()
     if found is None:
         from torquerig.study.candidates import candidates

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from torquerig.decide.cell import Cell, Origin
     from torquerig.decide.criterion import Criterion
     from torquerig.decide.eliminate import ChartRow
+    from torquerig.study.candidate import Candidate
     from torquerig.study.definition import Study
     from torquerig.study.scoring import Decided
     from torquerig.study.verdict import Verdict
@@ -113,17 +114,12 @@ def traced_cell(decided: Decided, verdict: Verdict, alternative: str, name: str)
     return _criterion(decided, verdict, alternative if chain else made[0], name)
 
 
-def check_traced(study: Study, pairs: Iterable[tuple[str, str]]) -> None:
-    """Raise UnknownNameError for a cell that the study does not have, before the simulation."""
-    if not pairs:
-        return
-    from torquerig.study.candidates import candidates
-
+def check_traced(study: Study, pairs: Iterable[tuple[str, str]], drives: Sequence[Candidate]) -> None:
+    """Raise UnknownNameError for a cell that the study of these drives does not have, before the simulation."""
     rows = tuple(study.settings.criteria) + tuple(study.settings.requirements)
     chains = tuple(dict.fromkeys((*study.settings.filters.names, study.settings.present.filter)))
     for alternative, name in pairs:
-        drives = tuple(one.name for one in candidates(study))
-        _check(alternative, name, drives=drives, chains=chains, rows=rows)
+        _check(alternative, name, drives=[one.name for one in drives], chains=chains, rows=rows)
 
 
 def _check(
