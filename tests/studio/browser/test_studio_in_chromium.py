@@ -227,3 +227,16 @@ def test_axe_finds_no_serious_fault(open_studio, shared_studio, step, dark):
     found = Axe().run(shown.page).response["violations"]
     serious = {one["id"]: one["nodes"][0]["html"][:300] for one in found if one["impact"] in ("serious", "critical")}
     assert serious == {}
+
+
+def test_a_curve_is_hidden_by_its_button(open_studio, shared_studio):
+    shown = open_studio(shared_studio)
+    visible = "Bokeh.documents.map((one) => one.get_model_by_name('true load')).find(Boolean).visible"
+    button = shown.page.get_by_role("button", name="true load")
+    assert shown.js(visible) is True
+    button.focus()
+    shown.page.keyboard.press("Enter")
+    assert button.get_attribute("aria-pressed") == "false"
+    assert shown.js(visible) is False
+    shown.change("output speed", "220 rpm")
+    assert shown.js(visible) is False  # the next answer keeps what was chosen

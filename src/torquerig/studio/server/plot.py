@@ -23,9 +23,11 @@ class Plot(ui.element, component="page/studio_plot.js"):
 
     def show(self, view: Mapping[str, Any]) -> None:
         """Draw a view of ``torquerig.studio.what_if.plots``, or its curves in the plot that is there."""
-        from torquerig.studio.what_if.plot_items import plot_item
+        from torquerig.studio.what_if.plot_items import curve_switches, plot_item
 
-        self.run_method("show", {**view, "item": plot_item(*view["plot"])})
+        kind, names, label = view["plot"]
+        drawn = {**view, "item": plot_item(kind, names, label), "switches": curve_switches(names)}
+        self.run_method("show", drawn)
 
 
 def prepare() -> None:

@@ -17,6 +17,11 @@ CURVES = {
 }  # fmt: skip
 
 
+def curve_switches(names: Sequence[str]) -> list[dict[str, Any]]:
+    """Return text and colour of each curve, for buttons that show and hide it; the keyboard reaches no Bokeh legend."""
+    return [{"text": CURVES[one][0], "colour": CURVES[one][1], "dashed": one == "load"} for one in names]
+
+
 @cache
 def plot_item(kind: str, names: tuple[str, ...], label: str) -> dict[str, Any]:
     """Return the JSON of a plot.
@@ -59,14 +64,10 @@ def _add_curves(plot: Any, names: Sequence[str], *, tooltips: list[tuple[str, st
     drawn = [
         plot.line("x", "y", source=ColumnDataSource(data=NOTHING_YET, name=name), color=CURVES[name][1],
                   line_width=1.8 if name == "load" else 1.3, line_dash="dashed" if name == "load" else "solid",
-                  legend_label=CURVES[name][0], name=CURVES[name][0])
+                  name=CURVES[name][0])
         for name in names
     ]  # fmt: skip
     plot.add_tools(
         HoverTool(renderers=drawn, mode="vline", tooltips=tooltips),
         CrosshairTool(dimensions="height", line_color="#8a97a5"),
     )
-    legend = plot.legend[0]
-    legend.click_policy, legend.orientation, legend.location = "hide", "horizontal", "top_left"
-    legend.background_fill_alpha, legend.border_line_color, legend.padding = 0.0, None, 2
-    plot.add_layout(legend, "above")

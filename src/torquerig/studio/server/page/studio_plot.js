@@ -13,8 +13,24 @@ function unpack(curve) {
   return makePyramid({ values, start: curve.start, step: curve.step });
 }
 
+// A colour as the page's scheme needs it, whichever of its two shades it is now.
+function shade(colour) {
+  const pair = Object.entries(ON_DARK).find((one) => one.includes(colour));
+  return pair ? pair[matchMedia("(prefers-color-scheme: dark)").matches ? 1 : 0] : colour;
+}
+
+// Of each curve its lines with their width. A crowded curve is a band, as wide with the thinnest stroke, which browsers draw
+// several times faster.
+function linesOf(made, names) {
+  const renderers = [...made._all_models.values()].filter((one) => one.type === "GlyphRenderer");
+  return Object.fromEntries(names.map((name) => {
+    const own = renderers.filter((one) => one.data_source === made.get_model_by_name(name));
+    return [name, own.map(({ glyph }) => [glyph, glyph.line_width.value])];
+  }));
+}
+
 function colour(made) {
-  const style = getComputedStyle(document.documentElement), dark = matchMedia("(prefers-color-scheme: dark)").matches;
+  const style = getComputedStyle(document.documentElement);
   const ink = style.getPropertyValue("--ink").trim(), line = style.getPropertyValue("--line").trim();
   for (const model of made._all_models.values()) {
     const kind = model.type || "";
@@ -22,24 +38,36 @@ function colour(made) {
       model.setv({ axis_label_text_color: ink, major_label_text_color: ink, axis_line_color: line, major_tick_line_color: line, minor_tick_line_color: null, axis_label_text_font_style: "normal" });
     } else if (kind === "Grid") {
       model.grid_line_color = line;
-    } else if (kind === "Legend") {
-      const narrow = document.documentElement.clientWidth < 600;
-      model.setv({ label_text_color: ink, background_fill_color: null, label_text_font_size: "12px", orientation: narrow ? "vertical" : "horizontal" });
     } else if (kind === "Line" && model.line_color && model.line_color.value) {
-      const [light, shade] = Object.entries(ON_DARK).find((pair) => pair.includes(model.line_color.value)) || [];
-      if (light) model.line_color = { value: dark ? shade : light };
+      model.line_color = { value: shade(model.line_color.value) };
     }
   }
 }
 
 export default {
   props: { name: String },
-  template: `<div role="img" :aria-label="name" class="plot"><div ref="place"></div></div>`,
+  data() {
+    return { switches: [], hidden: {} };
+  },
+  template: `
+    <div class="plot">
+      <div class="curves" role="group" :aria-label="'curves: ' + name">
+        <button v-for="one in switches" :key="one.text" type="button" :aria-pressed="hidden[one.text] ? 'false' : 'true'"
+          title="show or hide" @click="toggle(one.text)">
+          <i :style="{ borderTop: '3px ' + (one.dashed ? 'dashed ' : 'solid ') + one.colour }"></i>{{ one.text }}
+        </button>
+      </div>
+      <div role="img" :aria-label="name"><div ref="place"></div></div>
+    </div>`,
   mounted() {
     this.drawn = null;
     this.turn = Promise.resolve();
     this.scheme = matchMedia("(prefers-color-scheme: dark)");
-    this.recolour = () => this.drawn && colour(this.drawn.document);
+    this.recolour = () => {
+      if (!this.drawn) return;
+      colour(this.drawn.document);
+      this.switches = this.switches.map((one) => ({ ...one, colour: shade(one.colour) }));
+    };
     this.scheme.addEventListener("change", this.recolour);
   },
   beforeUnmount() {
@@ -73,7 +101,9 @@ export default {
       this.$refs.place.replaceChildren();
       const views = await Bokeh.embed.embed_item(view.item, this.$refs.place);
       const made = views.get_by_id(view.item.root_id).model.document, range = made.get_model_by_name("x");
-      this.drawn = { item, views, document: made, range, pyramids: {} };
+      this.drawn = { item, views, document: made, range, pyramids: {}, lines: linesOf(made, Object.keys(view.curves)) };
+      this.switches = view.switches.map((one) => ({ ...one, colour: shade(one.colour) }));
+      for (const one of this.switches) this.showCurve(one.text);
       let waits = false;
       const soon = () => { // both ends of the range first, and before the plot is painted
         if (waits) return;
@@ -84,12 +114,22 @@ export default {
       range.properties.end.change.connect(soon);
       colour(made);
     },
+    toggle(text) {
+      this.hidden = { ...this.hidden, [text]: !this.hidden[text] };
+      this.showCurve(text);
+    },
+    showCurve(text) {
+      const renderer = this.drawn.document.get_model_by_name(text);
+      if (renderer) renderer.visible = !this.hidden[text];
+    },
     update() {
-      const { document: made, range, pyramids } = this.drawn;
+      const { document: made, range, pyramids, lines } = this.drawn;
       const columns = Math.max(Math.round((this.$el.clientWidth || 800) / COLUMN), 200);
       for (const [name, pyramid] of Object.entries(pyramids)) {
-        const source = made.get_model_by_name(name), { x, y } = pyramidView(pyramid, range.start, range.end, columns);
-        if (source) source.data = { x, y };
+        const source = made.get_model_by_name(name), { x, y, crowded } = pyramidView(pyramid, range.start, range.end, columns);
+        if (!source) continue;
+        for (const [glyph, width] of lines[name]) glyph.line_width = { value: crowded ? 1 / devicePixelRatio : width };
+        source.data = { x, y };
       }
     },
   },
