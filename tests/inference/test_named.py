@@ -74,9 +74,6 @@ HIDDEN = {
     "flicker_noise": (
         "free", mechanisms.FlickerNoise(name="x", sensor="sensor", corner=400.0), "flicker_noise", {"corner_Hz": 400.0},
     ),
-    "logger_low_pass": (
-        "pump", mechanisms.LoggerLowPass(name="x", cutoff=120.0, order=2), "logger_low_pass", {"cutoff_Hz": 120.0},
-    ),
     "pwm_aliasing": (
         "pump", mechanisms.PwmAliasing(name="x", frequency=730.0, amplitude=0.004), "pwm_aliasing",
         {"frequency_Hz": 730.0, "amplitude_V": 0.004},
@@ -143,6 +140,15 @@ def test_a_limit_that_few_samples_reach_is_named_and_the_rest_explained(benches)
     low, high = finding["parameters"]["limit_V"]["ci95"]
     assert low <= limit <= high
     assert data["verdict"] == "missing_physics"
+
+
+@pytest.mark.long
+def test_a_low_pass_of_the_logger_is_named(benches):
+    part = mechanisms.LoggerLowPass(name="x", cutoff=400.0, order=4)
+    (finding,) = answered(benches["pump"], recorded(benches["pump"], [part]))["findings"]
+    assert finding["mechanism"] == "logger_low_pass"
+    # the simulation's sections also lose sinc^2(f / rate) each
+    assert finding["parameters"]["cutoff_Hz"]["value"] == pytest.approx(400.0, rel=0.05)
 
 
 @pytest.mark.long

@@ -153,9 +153,8 @@ def prepared(
 
     stated = Reading(runs, *nominal_fit(runs))
     reading = best_reading(stated, rig, nominal_fit) if judged else stated
-    return Prepared(
-        reading.runs, tuple(known), reading.data, reading.fit, stated, reading.faults, faults.additions, judged
-    )
+    samples = faults.without_scaled_codes(each.estimated for each in reading.faults if each.kind == "sensor_scale")
+    return Prepared(reading.runs, tuple(known), reading.data, reading.fit, stated, reading.faults, samples, judged)
 
 
 def with_held_out(runs: Sequence[MeasuredRun], names: Sequence[str]) -> tuple[MeasuredRun, ...]:

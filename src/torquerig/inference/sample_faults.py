@@ -8,7 +8,7 @@ are those of the torque.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from math import inf, log, sqrt
 
@@ -34,6 +34,7 @@ _LOG_ODDS = -5.0  # of each of the three
 _PARTS = 6  # of a recording, of which each third one is held out, as blocks are
 _JUMP = 12.0  # [standard deviations of a step] that each edge of a dropout exceeds at least
 _TAIL = 8.0  # degrees of freedom of Student's distribution, by which a single jump is judged
+_SAME_SCALE = 0.05  # [1] relative: so near to the factor of a sensor codes are its converter's
 _MOST_AT_LIMIT = 1e-3  # share of the samples of a block
 _NEAR = 0.25  # of the converter's step, within which a value is on a coarser one
 _ASIDE = 1e-3  # probability of a value that is on none of the coarse codes
@@ -52,11 +53,19 @@ class SampleFaults:
         By recording, which samples are at a limit where they are too many to be rebuilt.
     additions : tuple of Addition
         Without parameters that are fitted.
+    coarser : float
+        Step of the codes over that of the converter [1]; 1 where they are its own.
     """
 
     recordings: tuple[Recording, ...]
     unusable: tuple[NDArray[np.bool_], ...]
     additions: tuple[Addition, ...]
+    coarser: float = 1.0
+
+    def without_scaled_codes(self, scales: Iterable[float]) -> tuple[Addition, ...]:
+        """Return the faults without codes that are coarse because the reading has another scale than stated."""
+        scaled = any(abs(self.coarser / abs(scale) - 1) < _SAME_SCALE for scale in scales)
+        return tuple(each for each in self.additions if each.mechanism != "quantization" or not scaled)
 
     def added_to(self, rig: Rig) -> Rig:
         """Return the rig with the faults."""
@@ -87,7 +96,8 @@ def sample_faults(recordings: Sequence[Recording], rig: Rig) -> SampleFaults:
         stuck = [at_limit(each, limit=limit[1]) for each in recordings]
         unusable = tuple(each if too_long(each) else np.zeros_like(each) for each in stuck)
         recordings = tuple(rebuilt(each, limit=limit[1]) for each in recordings)
-    return SampleFaults(tuple(recordings), unusable, tuple(each for each in found if each.is_named))
+    named = tuple(each for each in found if each.is_named)
+    return SampleFaults(tuple(recordings), unusable, named, 1.0 if coarse is None else code / step)
 
 
 def usable_runs(

@@ -14,7 +14,7 @@ from torquerig.inference.shafts import Shaft
 NAMES = ("blade_pass",)
 
 _ONE_WAY = -6.5  # of pulses that push against forward motion, as those of a pump
-_LOG_ODDS = -4.5  # of this number of blades: one in seven loads has some, mostly 3 to 14
+_LOG_ODDS = -5.0  # of this number of blades: one in seven loads has some that nobody stated, 2 to 24
 _MOST = 24  # blades
 _HARMONICS = 3  # of a pulse: 100, 35 and 4 % of the power of the first; the others have less than 0.1 %
 
