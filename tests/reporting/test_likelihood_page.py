@@ -8,6 +8,7 @@ import re
 
 import pytest
 from click.testing import CliRunner
+from jsonschema import Draft202012Validator
 
 from tests.inference.pump_bench import pump_scenario, recorded
 from torquerig import mechanisms
@@ -17,6 +18,7 @@ from torquerig.reporting.diagnosis.answer_text import answer_lines
 from torquerig.reporting.diagnosis.likelihood import tables
 from torquerig.reporting.diagnosis.likelihood.first_screen import first_screen
 from torquerig.reporting.diagnosis.likelihood.sentences import remarks_of, verdict_of
+from torquerig.reporting.file_schemas.named import schema_named
 
 FINDING = {
     "mechanism": "gear_mesh", "part": "gear", "explanation": "The model lacks a mesh.", "confidence": 0.93,
@@ -36,6 +38,7 @@ UNNAMED = {
 }  # fmt: skip
 DATA = {
     "verdict": "unexplained", "findings": [FINDING], "unnamed": [UNNAMED], "setup": [], "mismatch": [],
+    "upper_limits": [],
     "fit": {"before": {"heldout_misfit": 5.0, "nominal": 9.0}, "after": {"heldout_misfit": 1.1}},
     "rms": {"unit": "N*m", "before": 1.69, "after": 0.44, "after_named_only": 0.9, "true_model": 0.3,
             "recordings": [{"file": "run1.parquet", "before": 1.69, "after": 0.44}]},
@@ -78,6 +81,16 @@ def test_what_nothing_explains_is_located_in_words():
     assert "The largest residual is at order 3 of the motor shaft, in run1.parquet." in said
 
 
+def test_an_adequate_answer_lists_what_would_have_been_seen():
+    limits = [
+        {"mechanism": "blade_pass", "parameter": "amplitude_Nm", "value": 0.02, "unit": "N*m", "grows": "up"},
+        {"mechanism": "sensor_bandwidth", "parameter": "cutoff_Hz", "value": 300.0, "unit": "Hz", "grows": "down"},
+    ]
+    data = changed(verdict="adequate", findings=[], unnamed=[], upper_limits=limits)
+    (said,) = remarks_of(data)
+    assert "blade pass (amplitude_Nm) from 0.02 N m, sensor bandwidth (cutoff_Hz) below 300 Hz." in said
+
+
 def test_alternatives_are_judged_by_class():
     table = tables.alternatives_table(FINDING)
     assert [row[-1].text for row in table.rows] == [
@@ -114,11 +127,17 @@ def test_page_and_json_say_the_same(written):
     _, data, page, output = written
     assert data["verdict"] == "missing_physics"
     assert "mains interference, confidence 99 %" in page
-    assert "The model lacks mains interference." in page
+    assert "The model lacks mains interference" in page
     assert page.count("data:image/svg+xml") == 3  # two runs, and the shares of the places
     assert "http://" not in re.sub(r"xmlns[^ >]*", "", page)
     assert data["rms"]["before"] > data["rms"]["after"]
     assert "wrote" in output.splitlines()[-1]
+
+
+@pytest.mark.long
+def test_the_json_follows_its_schema(written):
+    problems = Draft202012Validator(schema_named("diagnosis-json")).iter_errors(written[1])
+    assert [one.message for one in problems] == []
 
 
 @pytest.mark.long

@@ -44,7 +44,7 @@ def test_the_first_screen_says_it_in_short_sentences(open_page, file):
     shown = open_page(file)
     top = shown.js("[...document.querySelectorAll('.answer p, .figures dd')].map((one) => one.innerText)")
     sentences = [one for text in top for one in re.split(r"(?<=[.?!])\s", text)]
-    assert "The model lacks mains interference." in sentences
+    assert any(one.startswith("The model lacks mains interference") for one in sentences)
     assert max(len(one.split()) for one in sentences) <= LONGEST
     assert shown.js("document.querySelector('figure').getBoundingClientRect().top") < 600
 

@@ -42,12 +42,20 @@ def _place(data: Mapping[str, Any]) -> str:
 
 
 def remarks_of(data: Mapping[str, Any]) -> list[str]:
-    """Return how far the best alternative of each finding is behind."""
-    return [
+    """Return how far the best alternative of each finding is behind, and what an adequate answer would have shown."""
+    limits = [_limit(one) for one in data["upper_limits"]]
+    shown = [f"These runs would have shown, in 95 % of such runs: {', '.join(limits)}."] if limits else []
+    return shown + [
         f"Alternative to {mechanism_text(one['mechanism'])}: {one['alternatives'][0]['hypothesis']}, "
         f"{plain(one['alternatives'][0]['nats_behind'], 2)} nats less likely."
         for one in data["findings"] if one.get("alternatives")
     ]  # fmt: skip
+
+
+def _limit(one: Mapping[str, Any]) -> str:
+    unit = "" if one["unit"] == "1" else f" {one['unit'].replace('*', ' ')}"
+    way = "below" if one["grows"] == "down" else "from"
+    return f"{mechanism_text(one['mechanism'])} ({one['parameter']}) {way} {plain(one['value'])}{unit}"
 
 
 def _named(one: Mapping[str, Any]) -> str:
