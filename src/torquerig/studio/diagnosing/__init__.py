@@ -2,4 +2,5 @@
 
 question    what is asked: scenario, recordings, engine
 diagnosed   the job, and what it returns
+each_effect  how much each part that was added changes the reading
 """

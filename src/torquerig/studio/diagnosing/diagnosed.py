@@ -16,6 +16,7 @@ from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
 from torquerig.scenario.writing import scenario_text
+from torquerig.studio.diagnosing.each_effect import each_effect
 from torquerig.studio.diagnosing.question import DiagnosisQuestion, DiagnosisShown
 from torquerig.studio.jobs.child import Report
 from torquerig.studio.shown_answer import ShownAnswer, figures_of, pictures_in
@@ -70,7 +71,7 @@ def _by_rules(
     from torquerig.reporting.diagnosis.sentences import FEATURE_RESIDUAL, MOTION_RESIDUAL, verdict_sentence
 
     outcome = by_rules(scenario, recordings, seed=question.seed, progress=staged)
-    staged("simulating with and without the findings")
+    staged("simulating with and without each effect")
     effect = effect_at_sensor(outcome, nominal=scenario.rig, seed=question.seed)
     is_motion = isinstance(outcome, MotionOutcome)
     data = outcome.as_json() if isinstance(outcome, MotionOutcome) else as_json(outcome.diagnosis)
@@ -78,6 +79,7 @@ def _by_rules(
     sentence = verdict_sentence(outcome.diagnosis, outcome.left, measure=measure)
     remarks = outcome.diagnosis.remarks
     lines = answer_lines(data, verdict=sentence, effect="" if effect is None else effect.sentence, remarks=remarks)
+    each = () if is_motion else each_effect(outcome.completed, scenario.rig, recordings, seed=question.seed)
     staged("drawing")
     how: dict[str, Any] = {
         "title": scenario.title,
@@ -95,6 +97,7 @@ def _by_rules(
         pictures=pictures_in(page),
         model=_model(outcome.completed, scenario) if outcome.completes else None,
         page=page,
+        each=each,
     )
 
 
@@ -114,6 +117,8 @@ def _by_likelihood(
         raise InputError("the engine likelihood does not compare rigs whose motion was measured yet; choose rules")
     outcome = diagnose(scenario, as_measured(recordings, scenario.rig), progress=staged)
     data = as_json(outcome)
+    staged("simulating with and without each effect")
+    each = each_effect(outcome.completed, scenario.rig, recordings, seed=question.seed)
     staged("drawing")
     page = likelihood_page(outcome, data, title=scenario.title, command=COMMAND, model=None, seed=question.seed)
     answer = first_screen(data)
@@ -124,6 +129,7 @@ def _by_likelihood(
         pictures=pictures_in(page),
         model=_model(outcome.completed, scenario) if outcome.completes else None,
         page=page,
+        each=each,
     )
 
 

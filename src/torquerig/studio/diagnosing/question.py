@@ -59,6 +59,8 @@ class DiagnosisShown:
         The completed scenario as the text of a file; None where nothing was added.
     page : str or None
         The page as one HTML file; None for an engine that writes none.
+    each : tuple of rows
+        How much each part that was added changes the reading; see ``each_effect``. Empty under measured motion.
     """
 
     data: Mapping[str, Any]
@@ -67,3 +69,4 @@ class DiagnosisShown:
     pictures: tuple[ShownPicture, ...]
     model: str | None
     page: str | None
+    each: tuple[tuple[str, str, str, str], ...] = ()

@@ -9,6 +9,7 @@ from nicegui import ui
 
 from torquerig.reporting.diagnosis.sentences import mechanism_text
 from torquerig.reporting.layout import plain
+from torquerig.studio.diagnosing.each_effect import HEAD
 from torquerig.studio.diagnosing.question import DiagnosisShown
 from torquerig.studio.server.elements import folded, table, words
 from torquerig.studio.steps.answer_screen import answer_html, picture
@@ -24,6 +25,9 @@ def show_diagnosis(found: DiagnosisShown) -> None:
     for one in found.pictures[:1]:
         picture(one)
     _findings(data)
+    if found.each:
+        words("The reading with and without each effect", "h3")
+        table(HEAD, found.each, caption="the completed model, simulated with the effect and without it")
     _setup(data.get("setup", ()))
     _unnamed(data.get("unnamed", ()))
     _next_runs(data)
