@@ -116,6 +116,10 @@ def test_two_tabs_do_not_mix(opened, folder):
         page.get_by_label("occupancy [%]").press("Tab")
         wait_for(page, "run140.yaml: not saved yet")
     assert one.get_by_label("occupancy [%]").input_value() == "7"
+    one.get_by_role("button", name="Check", exact=True).click()
+    clicked(one, "Check the recordings")
+    wait_for(one, "run140.yaml: has edits that are not saved")
+    one.get_by_role("button", name="Data", exact=True).click()
     clicked(one, "Save the sidecar")
     wait_for(one, "run140.yaml: saved")
     clicked(two, "Save the sidecar")

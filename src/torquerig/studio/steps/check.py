@@ -40,6 +40,9 @@ class _Check:
         if document is None or not self._files.paths:
             say_in(self._line, "Open a scenario and choose at least one recording.")
             return
+        if self._files.unsaved():
+            say_in(self._line, self._files.unsaved())
+            return
         say_in(self._line, "Checking.")
         try:
             found = await tab.compute.run(

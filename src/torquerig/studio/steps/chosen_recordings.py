@@ -7,7 +7,7 @@ from pathlib import Path
 
 from nicegui import ui
 
-from torquerig.recordings.files.sidecar_choice import find_sidecar
+from torquerig.recordings.files.sidecar_choice import find_sidecar, sidecar_target
 from torquerig.studio.server.elements import words
 from torquerig.studio.server.tab import Tab
 
@@ -35,6 +35,13 @@ class ChosenRecordings:
     def paths(self) -> tuple[Path, ...]:
         """The chosen recordings."""
         return tuple(one for one in self._listed or () if one not in self._left_out)
+
+    def unsaved(self) -> str:
+        """Return why the chosen recordings cannot be read yet: a sidecar with edits that are not saved; else empty."""
+        edited = {one.path for one in self.tab.session.opened() if one.kind == "sheet" and not one.is_saved}
+        sheets = {find_sidecar(path) or sidecar_target(path) for path in self.paths} & edited
+        names = " and ".join(sorted(one.name for one in sheets))
+        return f"{names}: has edits that are not saved; save it in the step Data first" if names else ""
 
     def refresh(self) -> None:
         """List the recordings that are in the folder now."""

@@ -64,6 +64,9 @@ class _Diagnose:
         if not self._files.paths:
             self.tab.say("Choose at least one recording.")
             return None
+        if self._files.unsaved():
+            self.tab.say(self._files.unsaved())
+            return None
         workers = min(os.cpu_count() or 1, MOST_WORKERS)
         return start(diagnosed, DiagnosisQuestion(
             document.path, document.text, self._files.paths, catalogs=tuple(self.tab.session.further),

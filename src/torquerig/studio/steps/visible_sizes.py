@@ -28,6 +28,9 @@ class VisibleSizes:
         if document is None or not self._files.paths or not document.is_valid:
             self.tab.say("Open a scenario without problems and choose at least one recording.")
             return None
+        if self._files.unsaved():
+            self.tab.say(self._files.unsaved())
+            return None
         return start(visible, DiagnosisQuestion(
             document.path, document.text, self._files.paths, catalogs=self.tab.session.further, engine="likelihood",
         ))  # fmt: skip
