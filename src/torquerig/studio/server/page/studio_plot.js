@@ -4,7 +4,8 @@ const COLUMN = 2; // [px] of a minimum and maximum: half the strokes of one pixe
 const ON_DARK = { "#0072b2": "#56b4e9", "#d55e00": "#f0a04b" }; // curves that are too dark there
 
 function unpack(curve) {
-  const bytes = Uint8Array.from(atob(curve.codes), (one) => one.charCodeAt(0)), codes = new Uint16Array(bytes.buffer);
+  const text = atob(curve.codes), bytes = new Uint8Array(text.length), codes = new Uint16Array(bytes.buffer);
+  for (let at = 0; at < text.length; at += 1) bytes[at] = text.charCodeAt(at);
   const values = new Float64Array(curve.samples);
   for (let at = 0; at < values.length; at += 1) {
     const value = curve.low + codes[at] * curve.size;
