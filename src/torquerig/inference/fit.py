@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnosis.fitting.knobs import Knob, turned
 from torquerig.errors import TorquerigError
+from torquerig.inference.discrepancy import estimated, is_near, log_prior
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.likelihood import Discrepancy, Residuals, log_density, residuals, weights
 from torquerig.inference.load_spectrum import gain_shapes, with_gains
@@ -24,6 +25,7 @@ _SHORTEST = 1e-3  # [standard deviations] a shorter step ends the search
 _SMALL_GAIN = 0.02  # [nats] a smaller one ends the search
 _ITERATIONS = 25
 _FALLEN_SHORT = 0.25  # share of the promised gain below which a step was too long
+_ESTIMATES = 2  # of the sizes of the discrepancy, each followed by a fit
 _BAD = -1e12  # [nats] of a rig that cannot be
 
 
@@ -43,10 +45,11 @@ class Fit:
     gains : ndarray, shape (triangles,)
         Of the load's spectrum, in standard deviations.
     off : Discrepancy
+        Estimated with the parameters.
     expected : tuple of ExpectedRun
         By run, gains not applied.
     log_posterior : float
-        Log-likelihood plus log-prior, each without constants [nats].
+        Log-likelihood plus log-prior of positions and gains, each without constants [nats].
     jacobian : ndarray, shape (features, knobs + triangles)
         Of the standardised residuals.
     value : ndarray, shape (features,)
@@ -115,59 +118,33 @@ def fitted(
 
     Parameters
     ----------
+    off : Discrepancy, optional
+        Where the estimate of its sizes begins.
     jacobian : ndarray, shape (features, knobs + gains), optional
         Derivatives of an earlier fit near the start; a column of NaN is made anew.
     nominal : Rig, optional
         The scenario's, where ``rig`` has additions.
     """
-    off = off or Discrepancy()
-    here = np.zeros(len(knobs)) if start is None else start.copy()
-    own = np.zeros(data.shapes[0].shape[2]) if gains is None else gains.copy()
-    at = _Case(rig, tuple(knobs), data, off)
-    found = at.expected(here)
-    if found is None:
+    start = np.zeros(len(knobs)) if start is None else start.copy()
+    gains = np.zeros(data.shapes[0].shape[2]) if gains is None else gains.copy()
+    at = _Case(rig, tuple(knobs), data, off or Discrepancy())
+    expected = at.expected(start)
+    if expected is None:
         raise ValueError("the model cannot be evaluated at its start")
-    expected = found
-    score, value = _score(data, expected, here, own, off), _flat(data, expected, own, off)
-    slopes = _slopes(at, here, own, expected, kept=jacobian)
-    radius, fresh = _RADIUS, jacobian is None
-    for _ in range(iterations):
-        position = np.concatenate([here, own])
-        step = _step(slopes, value, position, radius)
-        length = float(np.linalg.norm(step))
-        promised = _promise(slopes, value, position, step)
-        if length < _SHORTEST or promised < _SMALL_GAIN:
+    found = _climbed(at, _Point(start, gains, expected), jacobian, iterations)
+    for _ in range(_ESTIMATES):
+        models = [with_gains(model, shape, found.gains)
+                  for model, shape in zip(found.expected, data.shapes, strict=True)]  # fmt: skip
+        sizes = estimated(data.seen, models, at.off)
+        if is_near(sizes, at.off):
             break
-        there, other = (position + step)[: here.size], (position + step)[here.size :]
-        reached = at.expected(there)
-        gained = _BAD if reached is None else _score(data, reached, there, other, off) - score
-        if reached is not None:
-            after = _flat(data, reached, other, off)
-            slopes = slopes + np.outer(after - value - slopes @ step, step) / length**2
-        if reached is not None and gained > 0:
-            here, own, expected, value, score = there, other, reached, after, score + gained
-        if gained >= _FALLEN_SHORT * promised:
-            radius = min(max(radius, 2 * length), 4 * _RADIUS)
-        elif fresh or gained > 0:
-            radius, fresh = max(0.4 * length, _SHORTEST), fresh and gained <= 0
-        else:
-            slopes, fresh = _slopes(at, here, own, expected), True
-        if gained > 0:
-            fresh = False
-    _, logdet = np.linalg.slogdet(hessian_of(slopes, value))
+        at = replace(at, off=sizes)
+        found = _climbed(at, _Point(found.positions, found.gains, found.expected), None, iterations)
+    _, logdet = np.linalg.slogdet(hessian_of(found.slopes, found.value))
     return Fit(
-        nominal or rig,
-        rig,
-        tuple(knobs),
-        here,
-        own,
-        off,
-        tuple(expected),
-        score,
-        slopes,
-        value,
-        log_evidence=score - 0.5 * logdet,
-    )
+        nominal or rig, rig, tuple(knobs), found.positions, found.gains, at.off, tuple(found.expected), found.score,
+        found.slopes, found.value, log_evidence=found.score + log_prior(at.off) - 0.5 * float(logdet),
+    )  # fmt: skip
 
 
 def _score(data: Data, expected: Sequence[ExpectedRun], positions: Floats, gains: Floats, off: Discrepancy) -> float:
@@ -196,6 +173,51 @@ class _Case:
             return [expected_run(at, seen) for seen in self.data.seen]
         except (TorquerigError, ValueError, OverflowError, np.linalg.LinAlgError):
             return None
+
+
+@dataclass(frozen=True, eq=False)
+class _Point:
+    """Where a fit is: parameters, gains, what the model expects there, and derivatives and score when it is reached."""
+
+    positions: Floats
+    gains: Floats
+    expected: Sequence[ExpectedRun]
+    slopes: Floats = field(default_factory=lambda: np.zeros((0, 0)))
+    value: Floats = field(default_factory=lambda: np.zeros(0))
+    score: float = 0.0
+
+
+def _climbed(at: _Case, start: _Point, jacobian: Floats | None, iterations: int) -> _Point:
+    """Return the maximum of the posterior that a start leads to, the discrepancy's sizes held."""
+    data, off = at.data, at.off
+    here, own, expected = start.positions, start.gains, start.expected
+    score, value = _score(data, expected, here, own, off), _flat(data, expected, own, off)
+    slopes = _slopes(at, here, own, expected, kept=jacobian)
+    radius, fresh = _RADIUS, jacobian is None
+    for _ in range(iterations):
+        position = np.concatenate([here, own])
+        step = _step(slopes, value, position, radius)
+        length = float(np.linalg.norm(step))
+        promised = _promise(slopes, value, position, step)
+        if length < _SHORTEST or promised < _SMALL_GAIN:
+            break
+        there, other = (position + step)[: here.size], (position + step)[here.size :]
+        reached = at.expected(there)
+        gained = _BAD if reached is None else _score(data, reached, there, other, off) - score
+        if reached is not None:
+            after = _flat(data, reached, other, off)
+            slopes = slopes + np.outer(after - value - slopes @ step, step) / length**2
+        if reached is not None and gained > 0:
+            here, own, expected, value, score = there, other, reached, after, score + gained
+        if gained >= _FALLEN_SHORT * promised:
+            radius = min(max(radius, 2 * length), 4 * _RADIUS)
+        elif fresh or gained > 0:
+            radius, fresh = max(0.4 * length, _SHORTEST), fresh and gained <= 0
+        else:
+            slopes, fresh = _slopes(at, here, own, expected), True
+        if gained > 0:
+            fresh = False
+    return _Point(here, own, tuple(expected), slopes, value, score)
 
 
 def _slopes(

@@ -39,14 +39,15 @@ class Discrepancy:
     level : float
         Relative standard deviation of a level [1].
     level_floor : float
-        Standard deviation of any level [N m]: that of the zero from run to run.
+        Standard deviation of any level, relative to the largest one of the run [1]: the zero from run to run, and what
+        no law of friction says near standstill.
     """
 
     line: float = 0.05
     band: float = 0.08
     mode: float = 0.01
     level: float = 0.01
-    level_floor: float = 0.0
+    level_floor: float = 0.002
 
 
 @dataclass(frozen=True)
@@ -79,11 +80,17 @@ class Residuals:
 
 
 LINE, BAND, LEVEL = 0, 1, 2
+KINDS_OF_SIZES = {"line": (LINE,), "band": (BAND,), "mode": (LINE, BAND), "level": (LEVEL,), "level_floor": (LEVEL,)}
 
 
 def residuals(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals:
     """Return the residuals of a run; features that the run does not show are left out."""
-    return _joined([_lines(seen, model, off), _bands(seen, model, off), _levels(seen, model, off)])
+    return _joined([residuals_of(seen, model, off, kind) for kind in _OF_KIND])
+
+
+def residuals_of(seen: RunFeatures, model: ExpectedRun, off: Discrepancy, kind: int) -> Residuals:
+    """Return the residuals of one kind of features."""
+    return _OF_KIND[kind](seen, model, off)
 
 
 def log_density(each: Residuals) -> float:
@@ -136,8 +143,13 @@ def _bands(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals
 
 
 def _levels(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals:
-    own = off.level_floor**2 + (off.level * model.level) ** 2 + (seen.run.time_error * model.level_rate) ** 2
-    least = _SINGULAR * float(np.square(seen.level).max(initial=0.0)) + _NOTHING
+    largest = float(np.abs(seen.level).max(initial=0.0))
+    own = (
+        (off.level_floor * largest) ** 2
+        + (off.level * model.level) ** 2
+        + (seen.run.time_error * model.level_rate) ** 2
+    )
+    least = _SINGULAR * largest**2 + _NOTHING
     root = cholesky(model.level_covariance + np.diag(own + least), lower=True)
     white = solve_triangular(root, seen.level - model.level, lower=True)
     at, none = np.arange(seen.level.size), np.full(seen.level.size, -1)
@@ -155,3 +167,6 @@ def _joined(parts: Sequence[Residuals]) -> Residuals:
     return Residuals(*(
         np.concatenate([getattr(each, name) for each in parts]) for name in ("value", "sd", "kind", "at", "segment")
     ))  # fmt: skip
+
+
+_OF_KIND = {LINE: _lines, BAND: _bands, LEVEL: _levels}
