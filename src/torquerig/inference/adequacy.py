@@ -8,13 +8,17 @@ as many tests as there are (Bonferroni).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE, Residuals
+from torquerig.inference.discrepancy import usual
+from torquerig.inference.features.run_features import RunFeatures
+from torquerig.inference.fit import Data, Fit
+from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE, Residuals, residuals
+from torquerig.inference.load_spectrum import with_gains
+from torquerig.inference.prediction.expected_run import ExpectedRun
 
 Floats = NDArray[np.float64]
 
@@ -34,6 +38,8 @@ class Excess:
         For all tests together [1].
     run, kind, row : int
         Of the largest residual: which run, which kind, which of the run's residuals.
+    size : float
+        Of it in the reading [N m] rms.
     """
 
     statistic: str
@@ -41,33 +47,55 @@ class Excess:
     run: int
     kind: int
     row: int
+    size: float
 
 
-def excesses(runs: Sequence[Residuals]) -> tuple[Excess, ...]:
-    """Return the statistics of a model's residuals, the least likely first."""
+def excesses(fit: Fit, data: Data, *, relevance: float) -> tuple[Excess, ...]:
+    """Return the statistics of a model's residuals, the least likely first.
+
+    What is smaller than ``relevance`` [N m] rms in the reading does not count. The sizes of the discrepancy are the
+    estimated ones, but no larger than is usual: a model that needs more does not explain its rig.
+    """
     from scipy.stats import norm, t
 
-    nu, found = DEGREES_OF_FREEDOM, list[Excess]()
+    off, nu, found = usual(fit.off), DEGREES_OF_FREEDOM, list[Excess]()
     mean, variance = _deviance_moments()
+    models = [with_gains(one, shape, fit.gains) for one, shape in zip(fit.expected, data.shapes, strict=True)]
+    runs = [residuals(seen, model, off) for seen, model in zip(data.seen, models, strict=True)]
+    sizes = [_sizes(*each) for each in zip(data.seen, models, runs, strict=True)]
     for kind, name in _KINDS.items():
         rows = [np.flatnonzero(each.kind == kind) for each in runs]
         values = [each.standardised[own] for each, own in zip(runs, rows, strict=True)]
         count = sum(each.size for each in values)
-        if not count:
+        large = [np.abs(value) * (size[own] > relevance) for value, size, own in zip(values, sizes, rows, strict=True)]
+        run = int(np.argmax([each.max(initial=0.0) for each in large]))
+        if not large[run].any():
             continue
-        run = int(np.argmax([np.abs(each).max(initial=0.0) for each in values]))
-        row = int(np.argmax(np.abs(values[run])))
-        worst = float(np.abs(values[run][row]))
+        row = int(np.argmax(large[run]))
+        at, worst = int(rows[run][row]), float(large[run][row])
         largest = -np.expm1(count * np.log1p(-min(2 * float(t.sf(worst, nu)), 1 - 1e-16)))
-        deviance = sum(float(np.sum((nu + 1) * np.log1p(each**2 / nu))) for each in values)
+        each = (nu + 1) * np.log1p(np.concatenate(values) ** 2 / nu)
+        small = np.concatenate(large) == 0.0  # what does not count has at most the deviance of a true model
+        deviance = float(np.where(small, np.minimum(each, mean), each).sum())
         total = float(norm.sf((deviance - count * mean) / np.sqrt(count * variance)))
-        at = int(rows[run][row])
-        found += [Excess(f"largest of {name}", largest, run, kind, at), Excess(f"sum of {name}", total, run, kind, at)]
+        size = float(sizes[run][at])
+        found += [Excess(f"largest of {name}", float(largest), run, kind, at, size),
+                  Excess(f"sum of {name}", total, run, kind, at, size)]  # fmt: skip
     tests = max(len(found), 1)
-    return tuple(sorted(
-        (Excess(each.statistic, min(tests * each.p_value, 1.0), each.run, each.kind, each.row) for each in found),
-        key=lambda each: each.p_value,
-    ))  # fmt: skip
+    return tuple(sorted((replace(each, p_value=min(tests * each.p_value, 1.0)) for each in found),
+                        key=lambda each: each.p_value))  # fmt: skip
+
+
+def _sizes(seen: RunFeatures, model: ExpectedRun, each: Residuals) -> Floats:
+    """Return how large what is left is in the reading [N m] rms, shape (features,)."""
+    size = np.abs(each.value)  # of levels
+    line, band = each.kind == LINE, each.kind == BAND
+    measured = seen.lines.power[each.segment[line], each.at[line]]
+    size[line] = np.sqrt(0.5 * measured * np.abs(-np.expm1(-each.value[line])))
+    width = (seen.bands.high - seen.bands.low)[each.at[band]]
+    power = seen.band_power[each.segment[band], each.at[band]]
+    size[band] = np.sqrt(width * power * np.abs(-np.expm1(-each.value[band])))
+    return size
 
 
 def _deviance_moments() -> tuple[float, float]:

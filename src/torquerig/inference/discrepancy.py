@@ -33,6 +33,12 @@ def log_prior(off: Discrepancy) -> float:
     return -0.5 * float(np.square(logs).sum())
 
 
+def usual(off: Discrepancy) -> Discrepancy:
+    """Return the sizes, none larger than one standard deviation of its prior above the median."""
+    most = {size: float(np.exp(SPREAD)) * getattr(MEDIAN, size) for size in KINDS_OF_SIZES}
+    return replace(off, **{size: min(getattr(off, size), limit) for size, limit in most.items()})
+
+
 def estimated(seen: Sequence[RunFeatures], models: Sequence[ExpectedRun], start: Discrepancy) -> Discrepancy:
     """Return the sizes of the largest posterior density for given models of all runs, by a search along each size."""
     off = start

@@ -13,7 +13,7 @@ from torquerig.errors import TorquerigError
 from torquerig.inference.discrepancy import estimated, is_near, log_prior
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.likelihood import Discrepancy, Residuals, log_density, residuals, weights
-from torquerig.inference.load_spectrum import gain_shapes, with_gains
+from torquerig.inference.load_spectrum import GainShapes, gain_shapes, with_gains
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
 from torquerig.rig.assembly import Rig
 
@@ -85,7 +85,7 @@ class Data:
     """Features of all runs, with the triangles of the load's spectrum in the bands of each."""
 
     seen: tuple[RunFeatures, ...]
-    shapes: tuple[Floats, ...]
+    shapes: tuple[GainShapes, ...]
 
     @staticmethod
     def of(seen: Sequence[RunFeatures], *, rows: Sequence[int] | None = None, runs: int | None = None) -> Data:
@@ -126,7 +126,7 @@ def fitted(
         The scenario's, where ``rig`` has additions.
     """
     start = np.zeros(len(knobs)) if start is None else start.copy()
-    gains = np.zeros(data.shapes[0].shape[2]) if gains is None else gains.copy()
+    gains = np.zeros(data.shapes[0].count) if gains is None else gains.copy()
     at = _Case(rig, tuple(knobs), data, off or Discrepancy())
     expected = at.expected(start)
     if expected is None:

@@ -22,6 +22,8 @@ Floats = NDArray[np.float64]
 DEGREES_OF_FREEDOM = 8.0  # of Student's distribution: one odd feature in a hundred does not decide
 _NOTHING = 1e-300  # keeps logarithms finite
 _SINGULAR = 1e-12  # of the square of the largest level: no mean of samples is known to better
+_WITHIN = 12**-0.5  # of a range: standard deviation of where in it something is
+_SWEPT = 0.5  # of how a line varies over a segment: a response lags behind a sweep, and speeds have unequal shares
 _MOST_EXCESS = 60.0  # [1] of the logarithm of a power; nothing measured is 26 orders of magnitude off
 
 
@@ -125,7 +127,7 @@ def _lines(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals
     power, count = model.line_power[shown], table.count[shown]
     total = np.maximum(power + noise, _NOTHING)
     sampling = (2 * power * noise + noise**2) / (count * total**2)
-    bent = np.hypot(2 * off.line, off.mode * model.line_slope[shown])
+    bent = np.hypot(np.hypot(2 * off.line, off.mode * model.line_slope[shown]), _SWEPT * model.line_range[shown])
     sd = np.sqrt(sampling + (bent * power / total) ** 2)
     value = np.log(np.maximum(table.power[shown], _NOTHING) / total)
     return _of(value, sd, LINE, shown)

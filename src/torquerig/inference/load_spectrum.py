@@ -3,13 +3,14 @@
 The density that random loads make is multiplied by ``exp(sum_k u_k h_k(ln f) + v_r + e ln(w / w_r))``: h_k triangles
 over two octaves that add up to 1, u_k normal with ``SPECTRUM_SD``, the same in all runs; v_r of one run, normal with
 ``RUN_SD``; e the same in all runs, normal with ``EXPONENT_SD``, w the speed of a segment and w_r the largest one of its
-run. A model discrepancy in the sense of Kennedy & O'Hagan 2001 (J. R. Stat. Soc. B 63), written as parameters: their
-prior is its covariance.
+run. The variance that slow loads leave in the levels is multiplied by ``exp(v_r + s)``, s the same in all runs, normal
+with ``SLOW_SD``: what a load does in a second says little of what it does in a minute. A model discrepancy in the sense
+of Kennedy & O'Hagan 2001 (J. R. Stat. Soc. B 63), written as parameters: their prior is its covariance.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +22,7 @@ Floats = NDArray[np.float64]
 
 SPECTRUM_SD = 0.3  # [1] of the logarithm of the density: no load is known to better than 1.3 dB per octave pair
 RUN_SD = 0.4  # [1] of the logarithm of the density in one run
+SLOW_SD = 1.0  # [1] of the logarithm of the variance of slow loads
 EXPONENT_SD = 2.0  # [1] of the exponent: turbulence goes with the fourth power of the speed, hits of grains with none
 _OCTAVES = 2.0  # between two neighbouring triangles
 _SLOWEST = 0.02  # [1] of the largest speed: slower than this no power law holds
@@ -31,8 +33,28 @@ def _triangles_count() -> int:
     return int(np.ceil(np.log2(_HIGHEST / _LOWEST) / _OCTAVES)) + 1
 
 
-def gain_shapes(seen: RunFeatures, *, run: int, runs: int) -> Floats:
-    """Return the logarithm of the density per standard deviation of each gain, shape (segments, bands, gains)."""
+@dataclass(frozen=True, eq=False)
+class GainShapes:
+    """Logarithm of densities per standard deviation of each gain.
+
+    Parameters
+    ----------
+    bands : ndarray, shape (segments, bands, gains)
+    levels : ndarray, shape (gains,)
+        Of the variance of the levels.
+    """
+
+    bands: Floats
+    levels: Floats
+
+    @property
+    def count(self) -> int:
+        """Number of gains."""
+        return self.levels.size
+
+
+def gain_shapes(seen: RunFeatures, *, run: int, runs: int) -> GainShapes:
+    """Return how the gains act on the run with the index ``run`` of ``runs``."""
     bands = seen.bands
     at = np.log2(bands.middle / _LOWEST) / _OCTAVES
     spectrum = SPECTRUM_SD * np.maximum(0.0, 1.0 - np.abs(at[:, None] - np.arange(_triangles_count())[None]))
@@ -41,18 +63,21 @@ def gain_shapes(seen: RunFeatures, *, run: int, runs: int) -> Floats:
     speed = np.abs(seen.speed)
     slower = np.log(np.maximum(speed / max(float(speed.max()), 1e-12), _SLOWEST))
     shape = (speed.size, at.size)
-    return np.concatenate(
-        [
-            np.broadcast_to(spectrum, (*shape, spectrum.shape[1])),
-            np.broadcast_to(own, (*shape, runs)),
-            np.broadcast_to(EXPONENT_SD * slower[:, None, None], (*shape, 1)),
-        ],
-        axis=2,
-    )
+    columns = [
+        np.broadcast_to(spectrum, (*shape, spectrum.shape[1])),
+        np.broadcast_to(own, (*shape, runs)),
+        np.broadcast_to(EXPONENT_SD * slower[:, None, None], (*shape, 1)),
+        np.zeros((*shape, 1)),
+    ]
+    levels = np.concatenate([np.zeros(spectrum.shape[1]), own, [0.0, SLOW_SD]])
+    return GainShapes(np.concatenate(columns, axis=2), levels)
 
 
-def with_gains(model: ExpectedRun, shape: Floats, gains: Floats) -> ExpectedRun:
+def with_gains(model: ExpectedRun, shape: GainShapes, gains: Floats) -> ExpectedRun:
     """Return the expectation with the random load's density multiplied; ``gains`` in standard deviations."""
-    factor = np.exp(shape @ gains)
+    factor, slow = np.exp(shape.bands @ gains), float(np.exp(shape.levels @ gains))
     density = model.density * (1 + model.load_share * (factor - 1))
-    return replace(model, density=density, load_share=model.load_share * factor * model.density / density)
+    return replace(
+        model, density=density, load_share=model.load_share * factor * model.density / density,
+        level_covariance=model.level_covariance + (slow - 1) * model.slow_load, slow_load=slow * model.slow_load,
+    )  # fmt: skip

@@ -11,8 +11,10 @@ from numpy.typing import NDArray
 from torquerig.diagnosis.looking.observed import speed_of
 from torquerig.diagnosis.looking.shaft_angle import shaft_angles
 from torquerig.inference.blocks import Block, blocks_of
+from torquerig.orders.angle.measured_angle import measured_motor_angle
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
+from torquerig.recordings.tacho_edges import rising_edges
 from torquerig.rig.assembly import Rig
 
 Floats = NDArray[np.float64]
@@ -38,6 +40,11 @@ class MeasuredRun:
     speed_factor : float
         Real speed over the stated set-point [1].
     blocks : tuple of Block
+    followed : float
+        Up to this frequency [Hz] the angle follows the sway of the shaft: any with an encoder, half the pulses per
+        second of a tacho, none where the angle was not measured.
+    angle_noise : float
+        Density of the error of the angle up to there [rad^2/Hz].
     """
 
     recording: Recording
@@ -47,6 +54,8 @@ class MeasuredRun:
     has_encoder: bool
     speed_factor: float
     blocks: tuple[Block, ...]
+    followed: float = float("inf")
+    angle_noise: float = 0.0
 
     @property
     def name(self) -> str:
@@ -98,12 +107,33 @@ def _direction(recording: Recording, factor: float) -> float:
 
 
 def _measured_run(recording: Recording, angle: Floats, *, has_encoder: bool, factor: float) -> MeasuredRun:
-    run = recording.run
+    """Return the run; an angle that was not measured is that of a constant speed where the set-point is constant.
+
+    How the shaft sways about it is then the model's to tell, without the errors of an estimate.
+    """
+    run, rate = recording.run, recording.sample_rate
     held = replace(run, speed=None if run.speed is None else run.speed * factor)
-    speed = speed_of(angle, recording.sample_rate)
     is_steady = run.profile == "steady"  # what an encoder scatters by is no change of the speed
+    if is_steady and not has_encoder:
+        angle = np.linspace(angle[0], angle[-1], angle.size)
+    speed = speed_of(angle, rate)
     course = np.full(speed.size, float(speed.mean())) if is_steady else speed
+    followed, noise = _followed(recording, speed) if has_encoder else (0.0, 0.0)
     return MeasuredRun(
         recording=replace(recording, run=held), torque=recording.torque(), angle=angle, speed=speed,
-        has_encoder=has_encoder, speed_factor=factor, blocks=blocks_of(course, recording.sample_rate),
+        has_encoder=has_encoder, speed_factor=factor, blocks=blocks_of(course, rate), followed=followed,
+        angle_noise=noise,
     )  # fmt: skip
+
+
+def _followed(recording: Recording, speed: Floats) -> tuple[float, float]:
+    """Return up to which frequency a measured angle follows the shaft [Hz], and the density of its error [rad^2/Hz].
+
+    The edges of a tacho are rounded to a sample: their times have the variance 1/12 of its square.
+    """
+    tacho = None if measured_motor_angle(recording) is not None else recording.find("tacho")
+    if tacho is None:
+        return float("inf"), 0.0
+    pulses = rising_edges(recording.channels[tacho].values).size / recording.duration
+    rounding = float(np.square(speed).mean()) / (12 * recording.sample_rate**2)
+    return 0.5 * pulses, 2 * rounding / pulses

@@ -7,8 +7,12 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnosis.linear.twin import Twin
+from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.fit import Data, Fit
 from torquerig.inference.load_spectrum import with_gains
+from torquerig.inference.prediction.expected_run import ExpectedRun
+from torquerig.inference.prediction.skirts import skirts_of
 
 Floats = NDArray[np.float64]
 
@@ -23,7 +27,31 @@ def _density(fit: Fit, data: Data, row: int) -> Callable[[Floats], Floats]:
     bands = data.seen[row].bands
     at, power = np.log(bands.middle), np.log(np.maximum(model.density.max(axis=0), 1e-300))
 
+    wide = _skirts(fit, data.seen[row], model)
+
     def density(frequency: Floats) -> Floats:
-        return np.asarray(np.exp(np.interp(np.log(np.maximum(frequency, bands.low[0])), at, power)))
+        base = np.exp(np.interp(np.log(np.maximum(frequency, bands.low[0])), at, power))
+        return np.asarray(np.maximum(base, wide(frequency)))
+
+    return density
+
+
+def _skirts(fit: Fit, seen: RunFeatures, model: ExpectedRun) -> Callable[[Floats], Floats]:
+    """Return the density of the skirts of a run's lines, which are steeper than the bands are wide."""
+    skirts = skirts_of(Twin(fit.fitted_rig.at(seen.run.run)), seen.run)
+    strongest = np.argmax(model.line_power, axis=0)
+    lines = [
+        (float(seen.line_frequency[segment, column]), place.at, 0.5 * float(model.line_power[segment, column]))
+        for column, (place, segment) in enumerate(zip(seen.places, strongest.tolist(), strict=True))
+        if place.domain == "order" and seen.run.is_steady and model.line_power[segment, column] > 0
+    ]
+
+    def density(frequency: Floats) -> Floats:
+        total = np.zeros(frequency.size)
+        if skirts is None:
+            return total
+        for at, order, power in lines:
+            total += power * skirts.beside(order, np.abs(frequency - at))
+        return total
 
     return density

@@ -246,6 +246,11 @@ class Twin:
         """Return the density of the torque that the speed loop answers to random loads with [(N m)^2/Hz]."""
         return np.asarray(np.interp(frequencies, self.shafts.frequency, self._answered))
 
+    @cached_property
+    def sway(self) -> Floats:
+        """Density of the motor's angle about its mean course under random loads [rad^2/Hz], on the shafts' grid."""
+        return self._driven(self.shafts.angle) if self.shafts.angle else np.zeros(self.shafts.frequency.size)
+
     def load_power_between(self, low: Floats, high: Floats) -> Floats:
         """Return the mean of that density between two frequencies [Hz] each: a sharp mode is narrower than a band."""
         grid = self.shafts.frequency

@@ -20,6 +20,7 @@ from torquerig.inference.measured_run import MeasuredRun
 Floats = NDArray[np.float64]
 
 POINTS = 9  # moments of a part at which the motion is kept
+SPEEDS = 3  # of a segment whose speed changes
 POINTS_OF_GRID = 400  # of the integral over frequency
 _HIGHEST_IN_LEVEL = 4.0  # [1] times the inverse length of a part: above it the mean of a part passes less than 1 %
 _PARTS_OF_BLOCK = 4  # whose mean torque is a level: a zero may settle within a block
@@ -34,12 +35,16 @@ class Segment:
     blocks : tuple of Block
     speed : float
         Mean speed of the motor [rad/s], with its sign.
+    speeds : ndarray, shape (1 or SPEEDS,)
+        From the slowest to the fastest [rad/s]; a single one in a steady run.
     line_power : ndarray, shape (places,)
         Mean square of the amplitudes, noise included [(N m)^2]; NaN where no block shows the line.
     line_noise_bandwidth : ndarray, shape (places,)
         The noise adds so many times its density [Hz] to ``line_power``.
     line_half_width : ndarray, shape (places,)
         [Hz]
+    line_excluded : ndarray, shape (places,)
+        Within so much of its frequency [Hz] the bands have no bins.
     line_count : ndarray, shape (places,)
         Blocks that show the line.
     bands : Bands
@@ -47,9 +52,11 @@ class Segment:
 
     blocks: tuple[Block, ...]
     speed: float
+    speeds: Floats
     line_power: Floats
     line_noise_bandwidth: Floats
     line_half_width: Floats
+    line_excluded: Floats
     line_count: Floats
     bands: Bands
 
@@ -129,6 +136,11 @@ class RunFeatures:
     def line_frequency(self) -> Floats:
         """Frequency of each line in each segment [Hz], shape (segments, places)."""
         return line_frequencies(self.places, self.speed)
+
+    @cached_property
+    def speeds(self) -> Floats:
+        """Speeds of each segment, shape (segments, 1 or SPEEDS)."""
+        return np.array([segment.speeds for segment in self.segments]).reshape(len(self.segments), -1)
 
     def duration_of(self, segment: Segment) -> float:
         """Return the mean length of the blocks of a segment [s]."""
@@ -233,12 +245,21 @@ def _segment(run: MeasuredRun, places: Sequence[Place], members: Sequence[tuple[
     return Segment(
         blocks=tuple(block for block, _ in members),
         speed=float(np.mean(speeds)),
+        speeds=_speeds(run, [block for block, _ in members]),
         line_power=mean(power),
         line_noise_bandwidth=mean(np.array([each.noise_bandwidth for _, each in members])),
         line_half_width=mean(np.array([each.half_width for _, each in members])),
+        line_excluded=mean(np.array([each.leakage for _, each in members])),
         line_count=count,
         bands=bands([each.residual for _, each in members], lines, run.rate),
     )
+
+
+def _speeds(run: MeasuredRun, blocks: Sequence[Block]) -> Floats:
+    parts = [run.speed[block.samples] for block in blocks]
+    if run.is_steady:
+        return np.array([np.mean([part.mean() for part in parts])])
+    return np.linspace(min(part.min() for part in parts), max(part.max() for part in parts), SPEEDS)
 
 
 def _occupied(run: MeasuredRun, places: Sequence[Place], block: Block, lines: LinePowers) -> tuple[Floats, Floats]:

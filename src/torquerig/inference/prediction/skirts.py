@@ -1,0 +1,97 @@
+"""What a line loses to its sides where the angle does not follow the sway of the shaft.
+
+A line of order n turns by ``n theta`` in phase when the shaft sways by theta about the angle that is known. Of its
+power the share ``1 - exp(-n^2 Theta(d))`` lies farther than d from its frequency, ``Theta(d)`` the mean square of theta
+faster than d: exact to first order for a small sway, where side bands of density ``n^2 S(f) / 2`` of the line's power
+stand on either side; for a speed of white noise, whose lines are Lorentzian, right to 0.05 at the half-width and exact
+far out. Source: phase noise of oscillators, any text (Rutman 1978, Proc. IEEE 66).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnosis.linear.twin import Twin
+from torquerig.inference.features.run_features import RunFeatures
+from torquerig.inference.measured_run import MeasuredRun
+
+Floats = NDArray[np.float64]
+
+_CORE = 0.75  # [bins] half the noise bandwidth of a Hann window: what a regression takes as the line
+_SHARP = 2.1  # [bins] half the width of a line that was found by regression
+
+
+@dataclass(frozen=True, eq=False)
+class Skirts:
+    """Sway of the motor's angle that is not followed.
+
+    Parameters
+    ----------
+    frequency : ndarray, shape (points,)
+        [Hz], ascending.
+    density : ndarray, shape (points,)
+        [rad^2/Hz]
+    beyond : ndarray, shape (points,)
+        Mean square of the sway faster than that [rad^2].
+    """
+
+    frequency: Floats
+    density: Floats
+    beyond: Floats
+
+    def lost(self, order: Floats, distance: Floats) -> Floats:
+        """Return which share of a line's power lies farther than ``distance`` [Hz] from it, of the broadcast shape."""
+        return np.asarray(-np.expm1(-(order**2) * np.interp(distance, self.frequency, self.beyond, right=0.0)))
+
+    def beside(self, order: float, distance: Floats) -> Floats:
+        """Return the density on one side of a line of unit power [1/Hz] at distances [Hz]."""
+        sway = np.interp(distance, self.frequency, self.density, right=0.0)
+        return np.asarray(0.5 * order**2 * sway * (1 - self.lost(np.array(order), distance)))
+
+
+def skirts_of(twin: Twin, run: MeasuredRun) -> Skirts | None:
+    """Return the sway that the angle of a run does not follow; None where it follows all of it."""
+    if np.isinf(run.followed):
+        return None
+    grid = twin.shafts.frequency
+    density = np.where(grid > run.followed, twin.sway, run.angle_noise)
+    steps = 0.5 * (density[1:] + density[:-1]) * np.diff(grid)
+    beyond = np.append(np.cumsum(steps[::-1])[::-1], 0.0)
+    return Skirts(grid, density, beyond) if beyond[0] > 0 else None
+
+
+def core_of(seen: RunFeatures) -> Floats:
+    """Return within which distance [Hz] the power of each place counts as its line, shape (segments, places)."""
+    rows = []
+    for segment in seen.segments:
+        step = 1 / seen.duration_of(segment)
+        reach = np.nan_to_num(segment.line_half_width)
+        rows.append(np.where(reach <= _SHARP * step, _CORE * step, reach))
+    return np.array(rows)
+
+
+def density_of(skirts: Skirts, seen: RunFeatures, frequency: Floats, power: Floats, excluded: Floats) -> Floats:
+    """Return the density that the skirts of lines leave in each band [(N m)^2/Hz], shape (segments, bands).
+
+    Parameters
+    ----------
+    frequency, power : ndarray, shape (lines, segments)
+        [Hz], and mean square [(N m)^2].
+    excluded : ndarray, shape (lines, segments)
+        Within this distance [Hz] of each line the bands have no bins.
+    """
+    turning = np.maximum(np.abs(seen.speed) / (2 * pi), 1e-12)
+    order = (frequency / turning)[..., None]
+    at, hole = frequency[..., None], excluded[..., None]
+    low, high = seen.bands.low, seen.bands.high
+    shared, width = np.zeros((*frequency.shape, low.size)), np.zeros((*frequency.shape, low.size))
+    for near, far in ((low - at, high - at), (at - high, at - low)):  # bands above the line, and below it
+        inner, outer = np.maximum(near, hole), np.maximum(far, hole)
+        shared += 0.5 * (skirts.lost(order, inner) - skirts.lost(order, outer))
+        width += outer - inner
+    density = power[..., None] * shared / np.maximum(width, 1e-12)
+    return np.asarray(np.where(width > 0, density, 0.0).sum(axis=0))
