@@ -33,15 +33,25 @@ def drawn(rng, *, odd: float = 0.0) -> Residuals:
     return Residuals(value, np.ones(300), kind, np.arange(300), np.zeros(300, dtype=np.intp))
 
 
+def least_likely(runs, *, relevance=0.0):
+    return excesses(runs, [np.ones(each.value.size) for each in runs], relevance)[0]
+
+
 def test_p_values_of_a_true_model_are_conservative():
     rng = np.random.default_rng(3)
-    least = np.array([excesses([drawn(rng)])[0].p_value for _ in range(400)])
+    least = np.array([least_likely([drawn(rng)]).p_value for _ in range(400)])
     for level in (0.01, 0.05, 0.2):
         assert np.mean(least < level) < level + 4 * np.sqrt(level / 400)
     assert 0.1 < np.median(least) < 0.9  # neither blind nor alarmed
 
 
 def test_one_odd_line_is_located():
-    found = excesses([drawn(np.random.default_rng(4)), drawn(np.random.default_rng(5), odd=40.0)])[0]
+    found = least_likely([drawn(np.random.default_rng(4)), drawn(np.random.default_rng(5), odd=40.0)])
     assert (found.statistic, found.run, found.row) == ("largest of lines", 1, 0)
     assert found.p_value < 1e-6
+
+
+def test_what_is_smaller_than_the_relevance_does_not_count():
+    runs = [drawn(np.random.default_rng(5), odd=40.0)]
+    assert least_likely(runs, relevance=0.5).p_value < 1e-6
+    assert not excesses(runs, [np.ones(each.value.size) for each in runs], 2.0)

@@ -8,6 +8,7 @@ as many tests as there are (Bonferroni).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,7 +19,6 @@ from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.fit import Data, Fit
 from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE, Residuals, residuals
 from torquerig.inference.load_spectrum import with_gains
-from torquerig.inference.prediction.expected_run import ExpectedRun
 
 Floats = NDArray[np.float64]
 
@@ -50,19 +50,24 @@ class Excess:
     size: float
 
 
-def excesses(fit: Fit, data: Data, *, relevance: float) -> tuple[Excess, ...]:
-    """Return the statistics of a model's residuals, the least likely first.
+def excesses_of(fit: Fit, data: Data, *, relevance: float) -> tuple[Excess, ...]:
+    """Return the statistics of what a fitted model leaves, the least likely first.
 
     What is smaller than ``relevance`` [N m] rms in the reading does not count. The sizes of the discrepancy are the
     estimated ones, but no larger than is usual: a model that needs more does not explain its rig.
     """
-    from scipy.stats import norm, t
-
-    off, nu, found = usual(fit.off), DEGREES_OF_FREEDOM, list[Excess]()
-    mean, variance = _deviance_moments()
+    off = usual(fit.off)
     models = [with_gains(one, shape, fit.gains) for one, shape in zip(fit.expected, data.shapes, strict=True)]
     runs = [residuals(seen, model, off) for seen, model in zip(data.seen, models, strict=True)]
-    sizes = [_sizes(*each) for each in zip(data.seen, models, runs, strict=True)]
+    return excesses(runs, [_sizes(seen, each) for seen, each in zip(data.seen, runs, strict=True)], relevance)
+
+
+def excesses(runs: Sequence[Residuals], sizes: Sequence[Floats], relevance: float) -> tuple[Excess, ...]:
+    """Return the same of residuals whose ``sizes`` [N m] are known, an array of shape (features,) for each run."""
+    from scipy.stats import norm, t
+
+    nu, found = DEGREES_OF_FREEDOM, list[Excess]()
+    mean, variance = _deviance_moments()
     for kind, name in _KINDS.items():
         rows = [np.flatnonzero(each.kind == kind) for each in runs]
         values = [each.standardised[own] for each, own in zip(runs, rows, strict=True)]
@@ -86,7 +91,7 @@ def excesses(fit: Fit, data: Data, *, relevance: float) -> tuple[Excess, ...]:
                         key=lambda each: each.p_value))  # fmt: skip
 
 
-def _sizes(seen: RunFeatures, model: ExpectedRun, each: Residuals) -> Floats:
+def _sizes(seen: RunFeatures, each: Residuals) -> Floats:
     """Return how large what is left is in the reading [N m] rms, shape (features,)."""
     size = np.abs(each.value)  # of levels
     line, band = each.kind == LINE, each.kind == BAND
