@@ -59,7 +59,11 @@ def test_a_missing_line_is_an_error_of_its_rms():
     white = np.full((count, bands), 2 * 0.1**2 / 2000.0)
     nothing = np.zeros((count, 1))
     levels = np.zeros(seen.level.size)
-    model = ExpectedRun(nothing, nothing, white, white, levels + 2.0, np.diag(levels), levels)
+    model = ExpectedRun(
+        line_power=nothing, line_slope=nothing, line_range=nothing, density=white, load_share=white,
+        level=levels + 2.0, level_covariance=np.diag(levels), slow_load=np.diag(levels), level_rate=levels,
+        level_range=levels,
+    )  # fmt: skip
     found = np.sqrt(mean_square(seen, model))
     # the line has 0.354 N m rms; spectra of some bins scatter by a tenth of the noise of 0.1 N m
     assert found == pytest.approx(0.5 / np.sqrt(2), rel=0.02)

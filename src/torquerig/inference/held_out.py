@@ -42,7 +42,7 @@ def _of_runs(fit: Fit, held: Data) -> list[tuple[Residuals, float]]:
 def _open_slopes(fit: Fit, held: Data, expected: list[ExpectedRun], found: list[Residuals]) -> list[Floats]:
     """Return the derivatives of the standardised residuals of each run by the gains that no fitted data determine."""
     shown = fit.jacobian[:, len(fit.knobs) :].any(axis=0)
-    moves = [gain for gain in np.flatnonzero(~shown).tolist() if any(shape[:, :, gain].any() for shape in held.shapes)]
+    moves = [gain for gain in np.flatnonzero(~shown).tolist() if any(each.acts(gain) for each in held.shapes)]
     columns = list[list[Floats]]()
     for gain in moves:
         gains = fit.gains.copy()

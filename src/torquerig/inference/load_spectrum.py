@@ -52,6 +52,10 @@ class GainShapes:
         """Number of gains."""
         return self.levels.size
 
+    def acts(self, gain: int) -> bool:
+        """Return whether a gain changes anything."""
+        return bool(self.bands[:, :, gain].any() or self.levels[gain])
+
 
 def gain_shapes(seen: RunFeatures, *, run: int, runs: int) -> GainShapes:
     """Return how the gains act on the run with the index ``run`` of ``runs``."""

@@ -1,0 +1,68 @@
+"""What the lines of a rig leave in the features of a run: power at places, density in bands, slow waves in levels."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnosis.linear.twin import Twin
+from torquerig.inference.features.run_features import RunFeatures
+from torquerig.inference.prediction.line_routes import line_routes
+from torquerig.inference.prediction.rig_lines import SHIFT, rig_lines
+from torquerig.inference.prediction.skirts import core_of, density_of, skirts_of
+
+Floats = NDArray[np.float64]
+
+_NOTHING = 1e-300  # keeps logarithms finite
+
+
+@dataclass(frozen=True, eq=False)
+class LineFeatures:
+    """Shares of the lines in the features.
+
+    Parameters
+    ----------
+    power, slope, varied : ndarray, shape (segments, places)
+        As ``line_power``, ``line_slope`` and ``line_range`` of ``ExpectedRun``.
+    density : ndarray, shape (segments, bands)
+        Of lines without a place, and of the skirts of all [(N m)^2/Hz].
+    unshown : tuple of (ndarray, ndarray)
+        Frequencies [Hz] and mean squares [(N m)^2] of lines that are slower than the first band.
+    """
+
+    power: Floats
+    slope: Floats
+    varied: Floats
+    density: Floats
+    unshown: tuple[tuple[Floats, Floats], ...]
+
+
+def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
+    """Return where the lines of a rig show in the features of a run."""
+    count, places = len(seen.segments), len(seen.places)
+    power, moved, varied = (np.zeros((count, places)) for _ in range(3))
+    density, unshown = np.zeros((count, seen.bands.low.size)), list[tuple[Floats, Floats]]()
+    skirts, turning = skirts_of(twin, seen.run), np.maximum(np.abs(seen.speed) / (2 * pi), 1e-12)
+    core, excluded = core_of(seen), np.array([np.nan_to_num(each.line_excluded) for each in seen.segments])
+    for each in rig_lines(twin, seen):
+        routes = line_routes(seen, each.frequency)
+        row = np.broadcast_to(np.arange(count), each.frequency.shape)
+        at, inside = routes.place >= 0, routes.band >= 0
+        kept = np.ones(each.frequency.shape)
+        if skirts is not None and each.follows and count:
+            there = row, np.maximum(routes.place, 0)
+            kept = 1 - skirts.lost(each.frequency / turning, np.where(at, core[there], 0.0))
+            hole = np.where(at, excluded[there], 0.0)
+            density += density_of(skirts, seen, each.frequency, np.where(at | inside, 0.5 * each.square, 0.0), hole)
+        for total, values in ((power, each.square), (moved, each.shifted), (varied, each.square * each.varied)):
+            np.add.at(total, (row[at], routes.place[at]), (routes.share * kept * values)[at])
+        in_band = 0.5 * (kept * each.square)[inside] / routes.width[inside]
+        np.add.at(density, (row[inside], routes.band[inside]), in_band)
+        slow = ~at & (routes.band < 0)
+        if slow.any():
+            unshown.append((each.frequency[slow], 0.5 * each.square[slow] / count))
+    slope = np.log(np.maximum(moved, _NOTHING) / np.maximum(power, _NOTHING)) / SHIFT * (power > 0)
+    return LineFeatures(power, slope, varied / np.maximum(power, _NOTHING), density, tuple(unshown))

@@ -1,0 +1,70 @@
+"""Lines of a rig in each segment of a run, by its linear twin."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import pi
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnosis.linear.quasi_static import quasi_static
+from torquerig.diagnosis.linear.twin import Twin, passed, sources
+from torquerig.inference.features.run_features import RunFeatures
+from torquerig.inference.prediction.measuring_chain import crosstalk_lines, passed_by_logger
+from torquerig.inference.prediction.ringing import ringing_lines
+from torquerig.sensor_stages.tone import Tone, folded
+
+Floats = NDArray[np.float64]
+
+SHIFT = 0.01  # [1] of the frequencies of the modes, for a difference quotient
+_SLOWEST = 0.05  # [Hz] slower than this the response of the shafts is that at rest
+
+
+class RigLines(NamedTuple):
+    """Lines of a rig in a run, arrays of shape (lines, segments).
+
+    Frequencies [Hz], mean squares of the amplitudes [(N m)^2], the same with all modes at ``1 - SHIFT`` of their
+    frequency, standard deviations of the logarithm of the square over the speeds of each segment [1], and whether they
+    follow the shaft.
+    """
+
+    frequency: Floats
+    square: Floats
+    shifted: Floats
+    varied: Floats
+    follows: bool
+
+
+def rig_lines(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
+    """Yield the lines as they are recorded: those of the shafts, of the measuring chain, and its tones."""
+    for each in _at_the_sensor(twin, seen):
+        recorded = passed_by_logger(twin.rig, each.frequency)
+        yield each._replace(square=recorded * each.square, shifted=recorded * each.shifted)
+
+
+def _at_the_sensor(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
+    lines = twin.lines()
+    if lines:
+        count, points = seen.speeds.shape
+        speeds = seen.speeds.ravel()
+        motor = quasi_static(twin, speed=speeds, acceleration=np.zeros(speeds.size)).motor
+        orders = np.array([line.order for line in lines])[:, None]
+        at = np.maximum(orders * np.abs(speeds) / (2 * pi), _SLOWEST)
+        both = np.concatenate([at, at * (1 + SHIFT)], axis=1)
+        gain = np.abs(passed([line.transfer for line in lines], both)) * np.tile(sources(lines, motor), 2)
+        square, shifted = np.square(gain).reshape(len(lines), 2, count, points).transpose(1, 0, 2, 3)
+        varied = np.log(np.maximum(square, 1e-300)).std(axis=2)
+        frequency = orders * np.abs(seen.speed) / (2 * pi)
+        yield RigLines(frequency, square.mean(axis=2), shifted.mean(axis=2), varied, True)
+    for frequency, size in (crosstalk_lines(twin, seen), ringing_lines(twin, seen)):
+        if size.size:
+            yield RigLines(frequency, size**2, size**2, np.zeros(size.shape), True)
+    volts = seen.unit
+    for stage in twin.rig.stages():
+        if isinstance(stage, Tone):
+            tones = np.array([folded(h * stage.frequency, seen.run.rate) for h in range(1, len(stage.amplitudes) + 1)])
+            shape = (tones.size, seen.speed.size)
+            square = np.broadcast_to(np.square(volts * np.array(stage.amplitudes))[:, None], shape)
+            yield RigLines(np.broadcast_to(tones[:, None], shape), square, square, np.zeros(shape), False)
