@@ -34,8 +34,8 @@ def log_prior(off: Discrepancy) -> float:
 
 
 def usual(off: Discrepancy) -> Discrepancy:
-    """Return the sizes, none larger than one standard deviation of its prior above the median."""
-    most = {size: float(np.exp(SPREAD)) * getattr(MEDIAN, size) for size in KINDS_OF_SIZES}
+    """Return the sizes, none larger than two standard deviations of its prior above the median."""
+    most = {size: float(np.exp(2 * SPREAD)) * getattr(MEDIAN, size) for size in KINDS_OF_SIZES}
     return replace(off, **{size: min(getattr(off, size), limit) for size, limit in most.items()})
 
 

@@ -146,11 +146,9 @@ def _bands(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals
 
 def _levels(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals:
     largest = float(np.abs(seen.level).max(initial=0.0))
-    own = (
-        (off.level_floor * largest) ** 2
-        + (off.level * model.level) ** 2
-        + (seen.run.time_error * model.level_rate) ** 2
-    )
+    parts = (off.level_floor * largest, off.level * model.level, seen.run.time_error * model.level_rate,
+             _WITHIN * model.level_range)  # fmt: skip
+    own = np.zeros(seen.level.size) + sum(np.square(part) for part in parts)
     least = _SINGULAR * largest**2 + _NOTHING
     root = cholesky(model.level_covariance + np.diag(own + least), lower=True)
     white = solve_triangular(root, seen.level - model.level, lower=True)

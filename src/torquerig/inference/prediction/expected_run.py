@@ -80,7 +80,7 @@ def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
     moving = not seen.run.is_steady and seen.level.size > 1
     level = balance.sensor.mean(axis=1) + _zero(twin.rig, seen)
     changing = np.abs(np.gradient(level)) / np.maximum(seen.level_duration, 1e-9) if moving else 0.0 * level
-    own = balance.sensor.max(axis=1) - balance.sensor.min(axis=1)
+    own = np.maximum(balance.sensor.max(axis=1) - balance.sensor.min(axis=1), changing * seen.level_duration)
     density = density + lines.density
     return ExpectedRun(
         line_power=lines.power, line_slope=lines.slope, line_range=lines.varied, density=density,
