@@ -38,6 +38,9 @@ class Discrepancy:
     mode : float
         Relative standard deviation of the frequencies of the modes in a run [1]: contacts and belts are stiffer under
         load, and no rig is linear.
+    modulation : float
+        Amplitude of side lines relative to their line [1]: whatever a linear model leaves out, such as contacts and
+        angles that sway, modulates each line by all that moves.
     level : float
         Relative standard deviation of a level [1].
     level_floor : float
@@ -48,6 +51,7 @@ class Discrepancy:
     line: float = 0.05
     band: float = 0.08
     mode: float = 0.01
+    modulation: float = 0.003
     level: float = 0.01
     level_floor: float = 0.002
 
@@ -82,7 +86,10 @@ class Residuals:
 
 
 LINE, BAND, LEVEL = 0, 1, 2
-KINDS_OF_SIZES = {"line": (LINE,), "band": (BAND,), "mode": (LINE, BAND), "level": (LEVEL,), "level_floor": (LEVEL,)}
+KINDS_OF_SIZES = {
+    "line": (LINE,), "band": (BAND,), "mode": (LINE, BAND), "modulation": (LINE, BAND), "level": (LEVEL,),
+    "level_floor": (LEVEL,),
+}  # fmt: skip
 
 
 def residuals(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals:
@@ -127,8 +134,9 @@ def _lines(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals
     power, count = model.line_power[shown], table.count[shown]
     total = np.maximum(power + noise, _NOTHING)
     sampling = (2 * power * noise + noise**2) / (count * total**2)
+    modulated = np.log1p(off.modulation**2 * model.near_lines[shown] / total)
     bent = np.hypot(np.hypot(2 * off.line, off.mode * model.line_slope[shown]), _SWEPT * model.line_range[shown])
-    sd = np.sqrt(sampling + (bent * power / total) ** 2)
+    sd = np.sqrt(sampling + (bent * power / total) ** 2 + modulated**2)
     value = np.log(np.maximum(table.power[shown], _NOTHING) / total)
     return _of(value, sd, LINE, shown)
 
@@ -138,7 +146,8 @@ def _bands(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals
     density = np.log(np.maximum(model.density, _NOTHING))
     slope = np.gradient(density, np.log(seen.bands.middle), axis=1)[shown]
     count = seen.band_count[shown]
-    sd = np.sqrt(1 / count + off.band**2 + (off.mode * slope) ** 2)
+    modulated = np.log1p(off.modulation**2 * model.near_bands[shown] / np.maximum(model.density[shown], _NOTHING))
+    sd = np.sqrt(1 / count + off.band**2 + (off.mode * slope) ** 2 + modulated**2)
     # the mean of the logarithm of a chi-square mean is lower than the logarithm of its mean, by 1/(2 count)
     value = np.log(np.maximum(seen.band_power[shown], _NOTHING)) - density[shown] + 0.5 / count
     return _of(value, sd, BAND, shown)
@@ -146,7 +155,7 @@ def _bands(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals
 
 def _levels(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals:
     largest = float(np.abs(seen.level).max(initial=0.0))
-    parts = (off.level_floor * largest, off.level * model.level, seen.run.time_error * model.level_rate,
+    parts = (off.level_floor * largest, off.level * model.level, seen.level_time_error * model.level_rate,
              _WITHIN * model.level_range)  # fmt: skip
     own = np.zeros(seen.level.size) + sum(np.square(part) for part in parts)
     least = _SINGULAR * largest**2 + _NOTHING

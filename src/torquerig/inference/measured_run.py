@@ -4,21 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from math import pi
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnosis.looking.observed import speed_of
-from torquerig.diagnosis.looking.shaft_angle import shaft_angles
+from torquerig.diagnosis.looking.shaft_angle import ShaftAngle, shaft_angles
 from torquerig.inference.blocks import Block, blocks_of
+from torquerig.inference.tacho_direction import directed
 from torquerig.orders.angle.measured_angle import measured_motor_angle
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
+from torquerig.recordings.set_point import set_point_profile
 from torquerig.recordings.tacho_edges import rising_edges
 from torquerig.rig.assembly import Rig
 
 Floats = NDArray[np.float64]
 
+_OF_A_PERIOD = 0.1  # of the time between two pulses: what interpolation between them may be off by
+_FEWEST_PULSES = 3  # in a part whose orders are looked for
+_SLOWEST = 1e-3  # [rad/s]
 MEASURED_TIME, UNMEASURED_TIME = 0.005, 0.04  # [s]
 UNMEASURED_ANGLE = 0.012  # [1] relative scatter of the speed around one that was estimated from the torque
 
@@ -40,6 +46,8 @@ class MeasuredRun:
     speed_factor : float
         Real speed over the stated set-point [1].
     blocks : tuple of Block
+    pulses : float
+        Of a tacho per turn of the motor [1]; infinite without one.
     followed : float
         Up to this frequency [Hz] the angle follows the sway of the shaft: any with an encoder, half the pulses per
         second of a tacho, none where the angle was not measured.
@@ -54,6 +62,7 @@ class MeasuredRun:
     has_encoder: bool
     speed_factor: float
     blocks: tuple[Block, ...]
+    pulses: float = float("inf")
     followed: float = float("inf")
     angle_noise: float = 0.0
 
@@ -72,19 +81,29 @@ class MeasuredRun:
         """The conditions of the run."""
         return self.recording.run
 
-    @property
-    def time_error(self) -> float:
-        """Standard deviation of the time between torque and speed [s]: filters, and an angle that was not measured."""
-        return MEASURED_TIME if self.has_encoder else UNMEASURED_TIME
+    def time_error(self, speed: Floats) -> Floats:
+        """Return the standard deviation of the time between torque and speed [s] at speeds of the motor [rad/s].
+
+        It comes from filters, from an angle that was not measured, and from the time between two pulses of a tacho.
+        """
+        least = np.full(speed.shape, MEASURED_TIME if self.has_encoder else UNMEASURED_TIME)
+        if np.isinf(self.pulses):
+            return least
+        period = 2 * pi / (self.pulses * np.maximum(np.abs(speed), _SLOWEST))
+        return np.asarray(np.maximum(least, _OF_A_PERIOD * period))
 
     def smearing(self, samples: slice) -> float:
         """Return the relative width over which lines are spread in a part because the angle was not measured [1]."""
-        if self.has_encoder:
+        is_followed = self.has_encoder and (self.is_steady or np.isinf(self.pulses))
+        if is_followed:
             return 0.0
         speed = self.speed[samples]
+        mean = max(float(np.abs(speed).mean()), 1e-12)
+        if self.pulses * mean * speed.size / self.rate < _FEWEST_PULSES * 2 * pi:
+            return 1.0  # nobody knows how the shaft turned between two pulses
         changed = abs(float(speed[-1] - speed[0])) / max(speed.size - 1, 1) * self.rate
-        late = 0.0 if self.is_steady else changed * self.time_error / max(float(np.abs(speed).mean()), 1e-12)
-        return UNMEASURED_ANGLE + late
+        late = 0.0 if self.is_steady else changed * float(self.time_error(np.array(mean))) / mean
+        return late if self.has_encoder else UNMEASURED_ANGLE + late
 
     @property
     def is_steady(self) -> bool:
@@ -95,15 +114,22 @@ class MeasuredRun:
 def measured_runs(recordings: Sequence[Recording], rig: Rig) -> tuple[MeasuredRun, ...]:
     """Return the recordings with the angle of the motor: measured, or estimated from the torque or the set-point."""
     return tuple(
-        _measured_run(recording, angle.values * _direction(recording, angle.factor), has_encoder=angle.measured,
-                      factor=angle.factor * _direction(recording, angle.factor))
+        _measured_run(recording, _directed(recording, angle), has_encoder=angle.measured, factor=angle.factor)
         for recording, angle in zip(recordings, shaft_angles(recordings, rig), strict=True)
-    )  # fmt: skip
+    )
 
 
-def _direction(recording: Recording, factor: float) -> float:
-    """Return -1 where a tacho, which does not show the direction, was read against that of the set-point; else 1."""
-    return -1.0 if factor < 0 and recording.find("tacho") is not None else 1.0
+def _directed(recording: Recording, angle: ShaftAngle) -> Floats:
+    """Return the angle; of a tacho, which does not show the direction, in that of the set-point."""
+    if not angle.measured or _tacho_of(recording) is None or recording.run.speed is None:
+        return angle.values
+    set_point = set_point_profile(recording, "the direction of a tacho")
+    return directed(angle.values, set_point, recording.sample_rate)
+
+
+def _tacho_of(recording: Recording) -> str | None:
+    """Return the tacho that gives the angle; None where another channel does, or none."""
+    return None if measured_motor_angle(recording) is not None else recording.find("tacho")
 
 
 def _measured_run(recording: Recording, angle: Floats, *, has_encoder: bool, factor: float) -> MeasuredRun:
@@ -112,28 +138,49 @@ def _measured_run(recording: Recording, angle: Floats, *, has_encoder: bool, fac
     How the shaft sways about it is then the model's to tell, without the errors of an estimate.
     """
     run, rate = recording.run, recording.sample_rate
+    if has_encoder and _tacho_of(recording) is not None:
+        factor = abs(factor)
     held = replace(run, speed=None if run.speed is None else run.speed * factor)
     is_steady = run.profile == "steady"  # what an encoder scatters by is no change of the speed
     if is_steady and not has_encoder:
         angle = np.linspace(angle[0], angle[-1], angle.size)
     speed = speed_of(angle, rate)
     course = np.full(speed.size, float(speed.mean())) if is_steady else speed
-    followed, noise = _followed(recording, speed) if has_encoder else (0.0, 0.0)
+    blocks = blocks_of(course, rate)
+    if has_encoder and not is_steady:
+        blocks = tuple(block for block in blocks if _between_pulses(recording, block)) or blocks
+    pulses = _pulses(recording, angle) if has_encoder else float("inf")
+    followed, noise = _followed(recording, speed, pulses) if has_encoder else (0.0, 0.0)
     return MeasuredRun(
         recording=replace(recording, run=held), torque=recording.torque(), angle=angle, speed=speed,
-        has_encoder=has_encoder, speed_factor=factor, blocks=blocks_of(course, rate), followed=followed,
-        angle_noise=noise,
+        has_encoder=has_encoder, speed_factor=factor, blocks=blocks, pulses=pulses,
+        followed=followed, angle_noise=noise,
     )  # fmt: skip
 
 
-def _followed(recording: Recording, speed: Floats) -> tuple[float, float]:
+def _pulses(recording: Recording, angle: Floats) -> float:
+    """Return the pulses of a tacho per turn of the motor [1]; infinite where the angle comes from another channel."""
+    tacho = _tacho_of(recording)
+    if tacho is None:
+        return float("inf")
+    turns = float(np.abs(np.diff(angle)).sum()) / (2 * pi)
+    return rising_edges(recording.channels[tacho].values).size / max(turns, 1e-9)
+
+
+def _between_pulses(recording: Recording, block: Block) -> bool:
+    """Return whether a block begins after the first pulse of a tacho and ends before the last one."""
+    tacho = _tacho_of(recording)
+    edges = np.zeros(0) if tacho is None else rising_edges(recording.channels[tacho].values)
+    return edges.size == 0 or bool(block.start >= edges[0] and block.stop <= edges[-1] + 1)
+
+
+def _followed(recording: Recording, speed: Floats, pulses: float) -> tuple[float, float]:
     """Return up to which frequency a measured angle follows the shaft [Hz], and the density of its error [rad^2/Hz].
 
     The edges of a tacho are rounded to a sample: their times have the variance 1/12 of its square.
     """
-    tacho = None if measured_motor_angle(recording) is not None else recording.find("tacho")
-    if tacho is None:
+    if np.isinf(pulses):
         return float("inf"), 0.0
-    pulses = rising_edges(recording.channels[tacho].values).size / recording.duration
+    per_second = pulses * float(np.abs(speed).mean()) / (2 * pi)
     rounding = float(np.square(speed).mean()) / (12 * recording.sample_rate**2)
-    return 0.5 * pulses, 2 * rounding / pulses
+    return 0.5 * per_second, 2 * rounding / per_second

@@ -15,6 +15,7 @@ from torquerig.inference.blocks import STANDSTILL, Block, permitted_range
 from torquerig.inference.features.bands import Bands, bands
 from torquerig.inference.features.line_places import line_frequencies
 from torquerig.inference.features.line_powers import LinePowers, line_powers
+from torquerig.inference.features.side_lines import may_be_beside
 from torquerig.inference.measured_run import MeasuredRun
 
 Floats = NDArray[np.float64]
@@ -123,6 +124,18 @@ class RunFeatures:
         return np.array([row.bands.count for row in self.segments])
 
     @cached_property
+    def level_time_error(self) -> Floats:
+        """Standard deviation of the time between torque and speed in each part [s], shape (levels,)."""
+        return self.run.time_error(np.abs(self.level_speed).mean(axis=1))
+
+    @cached_property
+    def level_neighbours(self) -> NDArray[np.bool_]:
+        """Which parts are within four times that time of each part, itself included, shape (levels, levels)."""
+        time = 0.5 * self.parts.sum(axis=1) / self.run.rate
+        near = 4 * self.level_time_error + 0.5 * self.level_duration
+        return np.asarray(np.abs(time[:, None] - time[None]) <= near[:, None])
+
+    @cached_property
     def level_grid(self) -> Floats:
         """Frequencies [Hz] over which the variance of the levels is integrated, shape (POINTS_OF_GRID,); first 0."""
         shortest = float(self.level_duration.min(initial=np.inf))
@@ -142,6 +155,25 @@ class RunFeatures:
     def speeds(self) -> Floats:
         """Speeds of each segment, shape (segments, 1 or SPEEDS)."""
         return np.array([segment.speeds for segment in self.segments]).reshape(len(self.segments), -1)
+
+    @cached_property
+    def swept(self) -> Floats:
+        """Slowest and fastest speed of each segment over its mean [1], shape (segments, 2)."""
+        sizes = np.abs(self.speeds)
+        mean = np.maximum(np.abs(self.speed), 1e-12)[:, None]
+        return np.asarray(np.stack([sizes.min(axis=1), sizes.max(axis=1)], axis=1) / mean)
+
+    @cached_property
+    def side_places(self) -> Floats:
+        """Whether a line (axis 1) may have side lines at another place (axis 2) [1], (segments, places, places)."""
+        own = ~np.eye(len(self.places), dtype=bool)
+        return np.asarray(may_be_beside(self.line_frequency, self.line_frequency) & own, dtype=np.float64)
+
+    @cached_property
+    def side_bands(self) -> Floats:
+        """The same of bands, shape (segments, places, bands)."""
+        middle = np.broadcast_to(self.bands.middle, (len(self.segments), self.bands.middle.size))
+        return np.asarray(may_be_beside(self.line_frequency, middle), dtype=np.float64)
 
     def duration_of(self, segment: Segment) -> float:
         """Return the mean length of the blocks of a segment [s]."""

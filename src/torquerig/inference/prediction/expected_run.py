@@ -49,6 +49,10 @@ class ExpectedRun:
         How fast the level changes from part to part [N m/s]; 0 in a steady run.
     level_range : ndarray, shape (levels,)
         By how much the torque changes within a part [N m].
+    near_lines : ndarray, shape (segments, places)
+        Sum of the squares of the amplitudes of the lines that may have side lines at a place [(N m)^2].
+    near_bands : ndarray, shape (segments, bands)
+        Density if all lines that may have side lines in a band stood in it [(N m)^2/Hz].
     line_range : ndarray, shape (segments, places)
         Standard deviation of the logarithm of ``line_power`` over the speeds of a segment [1].
     """
@@ -63,6 +67,8 @@ class ExpectedRun:
     level_rate: Floats
     level_range: Floats
     line_range: Floats
+    near_lines: Floats
+    near_bands: Floats
 
 
 def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
@@ -79,13 +85,15 @@ def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
         spread = spread + of_lines(seen, frequency, square)
     moving = not seen.run.is_steady and seen.level.size > 1
     level = balance.sensor.mean(axis=1) + _zero(twin.rig, seen)
-    changing = np.abs(np.gradient(level)) / np.maximum(seen.level_duration, 1e-9) if moving else 0.0 * level
+    steepest = np.abs(np.gradient(level)) / np.maximum(seen.level_duration, 1e-9) if moving else 0.0 * level
+    changing = np.where(seen.level_neighbours, steepest[None], 0.0).max(axis=1)
     own = np.maximum(balance.sensor.max(axis=1) - balance.sensor.min(axis=1), changing * seen.level_duration)
     density = density + lines.density
     return ExpectedRun(
         line_power=lines.power, line_slope=lines.slope, line_range=lines.varied, density=density,
         load_share=load / density, level=level, level_covariance=spread, slow_load=slow_load, level_rate=changing,
-        level_range=own,
+        level_range=own, near_lines=np.einsum("sp,spq->sq", lines.power, seen.side_places),
+        near_bands=np.einsum("sp,spb->sb", 0.5 * lines.power, seen.side_bands) / (seen.bands.high - seen.bands.low),
     )  # fmt: skip
 
 

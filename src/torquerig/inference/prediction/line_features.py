@@ -16,6 +16,8 @@ from torquerig.inference.prediction.skirts import core_of, density_of, skirts_of
 
 Floats = NDArray[np.float64]
 
+_WINDOW = 1.5  # [bins] noise bandwidth of a Hann window
+_FIRST_LOBE, _LOBE = 2.4, 10**-3.15  # [bins], [1] where its first side lobe is, and its power
 _NOTHING = 1e-300  # keeps logarithms finite
 
 
@@ -59,10 +61,28 @@ def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
             density += density_of(skirts, seen, each.frequency, np.where(at | inside, 0.5 * each.square, 0.0), hole)
         for total, values in ((power, each.square), (moved, each.shifted), (varied, each.square * each.varied)):
             np.add.at(total, (row[at], routes.place[at]), (routes.share * kept * values)[at])
-        in_band = 0.5 * (kept * each.square)[inside] / routes.width[inside]
-        np.add.at(density, (row[inside], routes.band[inside]), in_band)
+        without = np.where(inside, 0.5 * kept * each.square, 0.0)
+        swept = seen.swept if each.follows else np.ones((count, 2))
+        density += _swept_density(seen, each.frequency, without, swept)
         slow = ~at & (routes.band < 0)
         if slow.any():
             unshown.append((each.frequency[slow], 0.5 * each.square[slow] / count))
     slope = np.log(np.maximum(moved, _NOTHING) / np.maximum(power, _NOTHING)) / SHIFT * (power > 0)
     return LineFeatures(power, slope, varied / np.maximum(power, _NOTHING), density, tuple(unshown))
+
+
+def _swept_density(seen: RunFeatures, frequency: Floats, power: Floats, swept: Floats) -> Floats:
+    """Return the density of lines in the bands over which they sweep [(N m)^2/Hz], shape (segments, bands).
+
+    A Hann window widens a line by its noise bandwidth and leaves side lobes that fall with the sixth power of the
+    distance. ``power`` are mean squares [(N m)^2], ``swept`` the slowest and fastest speed of each segment over its
+    mean [1].
+    """
+    low, high = seen.bands.low, seen.bands.high
+    step = np.array([1 / seen.duration_of(segment) for segment in seen.segments])[:, None]
+    slow, fast = (frequency * swept[:, 0])[..., None], (frequency * swept[:, 1])[..., None]
+    near, far = slow - 0.5 * _WINDOW * step, fast + 0.5 * _WINDOW * step
+    inside = np.clip(np.minimum(far, high) - np.maximum(near, low), 0.0, None) / (high - low)
+    bins = np.maximum(np.maximum(low - fast, slow - high) / step, _FIRST_LOBE)
+    beside = np.where(bins > _FIRST_LOBE, _LOBE * (_FIRST_LOBE / bins) ** 6, 0.0)
+    return np.asarray((power[..., None] / (far - near) * np.maximum(inside, beside)).sum(axis=0))
