@@ -13,6 +13,7 @@ from torquerig.errors import TorquerigError
 from torquerig.inference.addition import Addition
 from torquerig.inference.additions import proposals
 from torquerig.inference.context import Context
+from torquerig.inference.discrepancy import log_prior
 from torquerig.inference.features.line_search import FoundLine
 from torquerig.inference.fit import Data, Fit, all_residuals, fitted, hessian_of
 from torquerig.inference.held_out import held_out_density
@@ -88,7 +89,8 @@ def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple
     free = [each for each in proposals(context) if not each.names & taken]
     screened = sorted(((*_screened(context, each), each) for each in free), key=lambda one: -one[0])
     tried = tuple((each, gain) for gain, _, each in screened)
-    fits = [*_fitted(model, data, [(each, start) for gain, start, each in screened if gain > 0])]
+    slack = -log_prior(model.fit.off)  # that an addition gets back when it makes the discrepancy smaller
+    fits = [*_fitted(model, data, [(each, start) for gain, start, each in screened if gain > -slack])]
     before = held_out_density(model.fit, held)
     winners = [
         one for one in fits

@@ -1,7 +1,7 @@
 """Facts of the set-up that contradict the recordings: sense and scale of the sensor, counts, sample rate, set-points.
 
 Each is an alternative reading of the same samples. The nominal rig is fitted to each reading, and the one that it
-explains best is used. Readings are compared by the mean deviance of their features, which differ in number.
+explains best is used. Readings are compared by the evidence per feature: they differ in the number of features.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.fit import Data, Fit, fitted
-from torquerig.inference.likelihood import DEGREES_OF_FREEDOM, floor_density
+from torquerig.inference.likelihood import floor_density
 from torquerig.inference.measured_run import MeasuredRun
 from torquerig.inference.prediction.expected_run import expected_run
 from torquerig.rig.assembly import Rig
@@ -80,21 +80,19 @@ def best_reading(as_stated: Reading, rig: Rig, fit_to: FitTo) -> Reading:
         return best
     others = [_corrected(Reading(made, *fit_to(made), (fault,)), rig) for made, fault in _rescaled(runs, factor)]
     stated = replace(best, faults=(*best.faults, _set_point(runs, factor)))
-    ranked = sorted([stated, *others], key=lambda each: deviance(each.fit))
+    ranked = sorted([stated, *others], key=lambda each: -per_feature(each.fit))
     first = ranked[0]
     near = [each.faults[-1].kind for each in ranked[1:] if not _clearly(first.fit, each.fit)]
     return replace(first, faults=(*first.faults[:-1], replace(first.faults[-1], equivalent_to=tuple(near))))
 
 
-def deviance(fit: Fit) -> float:
-    """Return the mean deviance of the features of a fit [1]; 1.1 for a true model."""
-    nu = DEGREES_OF_FREEDOM
-    return float(np.mean((nu + 1) * np.log1p(fit.value**2 / nu)))
+def per_feature(fit: Fit) -> float:
+    """Return the log-evidence per feature [nats]."""
+    return fit.log_evidence / max(fit.value.size, 1)
 
 
 def _clearly(better: Fit, worse: Fit) -> bool:
-    count = min(better.value.size, worse.value.size)
-    return 0.5 * count * (deviance(worse) - deviance(better)) > CLEARLY
+    return min(better.value.size, worse.value.size) * (per_feature(better) - per_feature(worse)) > CLEARLY
 
 
 def _corrected(reading: Reading, rig: Rig) -> Reading:
