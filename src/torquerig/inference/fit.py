@@ -54,6 +54,8 @@ class Fit:
         Of the standardised residuals.
     value : ndarray, shape (features,)
         Standardised residuals.
+    sd : ndarray, shape (features,)
+        Their standard deviations, in the units of the residuals.
     log_evidence : float
         [nats], without the constants that all models of the same data share.
     """
@@ -68,6 +70,7 @@ class Fit:
     log_posterior: float
     jacobian: Floats = field(repr=False)
     value: Floats = field(repr=False)
+    sd: Floats = field(repr=False)
     log_evidence: float = -np.inf
 
     @property
@@ -140,10 +143,11 @@ def fitted(
             break
         at = replace(at, off=sizes)
         found = _climbed(at, _Point(found.positions, found.gains, found.expected), None, iterations)
+    sd = np.concatenate([each.sd for each in all_residuals(data, found.expected, found.gains, at.off)])
     _, logdet = np.linalg.slogdet(hessian_of(found.slopes, found.value))
     return Fit(
         nominal or rig, rig, tuple(knobs), found.positions, found.gains, at.off, tuple(found.expected), found.score,
-        found.slopes, found.value, log_evidence=found.score + log_prior(at.off) - 0.5 * float(logdet),
+        found.slopes, found.value, sd, log_evidence=found.score + log_prior(at.off) - 0.5 * float(logdet),
     )  # fmt: skip
 
 

@@ -155,7 +155,8 @@ def _promised(context: Context, each: Addition, start: tuple[float, ...]) -> flo
     if expected is None:
         return -np.inf
     there = all_residuals(data, expected, fit.gains, fit.off)
-    value, sd = (np.concatenate([getattr(one, name) for one in there]) for name in ("standardised", "sd"))
+    sd = fit.sd  # of the base model: the sizes of the discrepancy have not followed yet
+    value = np.concatenate([one.value for one in there]) / sd
     position = np.concatenate([fit.positions, fit.gains])
     gradient = fit.jacobian.T @ (weights(value) * value) + position
     step = -np.linalg.solve(hessian_of(fit.jacobian, value), gradient)
