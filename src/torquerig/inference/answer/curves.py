@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.inference.engine import Outcome
-from torquerig.inference.features.run_features import RunFeatures, Segment, run_features
+from torquerig.inference.features.run_features import RunFeatures, run_features
+from torquerig.inference.features.segment import Segment
 from torquerig.inference.fit import Fit
 from torquerig.inference.load_spectrum import gain_shapes, with_gains
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run

@@ -15,6 +15,7 @@ from torquerig.inference.blocks import STANDSTILL, Block, permitted_range
 from torquerig.inference.features.bands import Bands, bands
 from torquerig.inference.features.line_places import line_frequencies
 from torquerig.inference.features.line_powers import LinePowers, line_powers
+from torquerig.inference.features.segment import LineTable, Segment
 from torquerig.inference.features.side_lines import may_be_beside
 from torquerig.inference.measured_run import MeasuredRun
 
@@ -26,51 +27,6 @@ SPEEDS = 3  # of a segment whose speed changes
 POINTS_OF_GRID = 400  # of the integral over frequency
 _HIGHEST_IN_LEVEL = 4.0  # [1] times the inverse length of a part: above it the mean of a part passes less than 1 %
 _PARTS_OF_BLOCK = 4  # whose mean torque is a level: a zero may settle within a block
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Segment:
-    """Blocks of a run at one speed, whose lines and bands are averaged.
-
-    Parameters
-    ----------
-    blocks : tuple of Block
-    speed : float
-        Mean speed of the motor [rad/s], with its sign.
-    speeds : ndarray, shape (1 or SPEEDS,)
-        From the slowest to the fastest [rad/s]; a single one in a steady run.
-    line_power : ndarray, shape (places,)
-        Mean square of the amplitudes, noise included [(N m)^2]; NaN where no block shows the line.
-    line_noise_bandwidth : ndarray, shape (places,)
-        The noise adds so many times its density [Hz] to ``line_power``.
-    line_half_width : ndarray, shape (places,)
-        [Hz]
-    line_excluded : ndarray, shape (places,)
-        Within so much of its frequency [Hz] the bands have no bins.
-    line_count : ndarray, shape (places,)
-        Blocks that show the line.
-    bands : Bands
-    """
-
-    blocks: tuple[Block, ...]
-    speed: float
-    speeds: Floats
-    line_power: Floats
-    line_noise_bandwidth: Floats
-    line_half_width: Floats
-    line_excluded: Floats
-    line_count: Floats
-    bands: Bands
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class LineTable:
-    """Lines of all segments, shape (segments, places) each; the fields are those of ``Segment``."""
-
-    power: Floats
-    count: Floats
-    noise_bandwidth: Floats
-    half_width: Floats
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

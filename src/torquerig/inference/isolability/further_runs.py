@@ -9,7 +9,8 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.inference.features.run_features import RunFeatures, Segment
+from torquerig.inference.features.run_features import RunFeatures
+from torquerig.inference.features.segment import Segment
 from torquerig.mechanisms import ParticleLoad
 from torquerig.rig.assembly import Rig
 
