@@ -18,7 +18,7 @@ SCENARIOS = Path(__file__).resolve().parents[3] / "scenarios"
 TABLE = "time_s,u [V],enc\n" + "".join(f"{at / 1000},{at % 7},{at}\n" for at in range(400))
 SOON, LONG = 30_000, 240_000  # [ms] a page, and a computation, on a busy machine
 SMALL = {
-    "duration": "2 s", "draws": 0, "motors": ["bldc-12n14p", "HDS5C-102A"],
+    "duration": "10 s", "draws": 2, "motors": ["bldc-12n14p", "HDS5C-102A"],
     "gearboxes": ["reference-5-1", "economy-20-1"],
 }  # fmt: skip
 """Drives with one gearbox are ready together, so two gearboxes give a moment in which half is done."""
@@ -151,9 +151,9 @@ def test_a_study_is_cancelled_and_taken_up_again(opened, folder):
     clicked(page, "Compare the drives")
     wait_for(page, re.compile("^[1-3] of 4"), timeout=LONG)
     page.get_by_role("button", name="Cancel: Compare the drives").click()
-    wait_for(page, "Cancelled. What was done is kept.")
+    wait_for(page, "Cancelled. What is done is kept.")
     page.reload()
-    wait_for(page, "Cancelled. What was done is kept.")
+    wait_for(page, "Cancelled. What is done is kept.")
     clicked(page, "Compare the drives")
     wait_for(page, re.compile("^4 drives, [1-3] of them kept from an earlier run"), timeout=LONG)
     page.wait_for_function("() => document.getElementById('matrix-winner')?.innerText.startsWith('First')")
