@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -219,8 +219,3 @@ class Session:
         if not full.is_relative_to(self.folder):
             raise InputError(f"{path}: is outside of the folder {self.folder}; the studio works on the files in it")
         return full
-
-
-def sessions_of(folder: Path, further: Sequence[Path] = (), *, seed: int = 1) -> Callable[[], Session]:
-    """Return a function that makes one session per tab."""
-    return lambda: Session(Path(folder), tuple(further), seed)
