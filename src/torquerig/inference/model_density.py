@@ -38,20 +38,22 @@ def _density(fit: Fit, data: Data, row: int) -> Callable[[Floats], Floats]:
 
 def _skirts(fit: Fit, seen: RunFeatures, model: ExpectedRun) -> Callable[[Floats], Floats]:
     """Return the density of the skirts of a run's lines, which are steeper than the bands are wide."""
-    skirts = skirts_of(Twin(fit.fitted_rig.at(seen.run.run)), seen.run)
+    twin = Twin(fit.fitted_rig.at(seen.run.run))
     strongest = np.argmax(model.line_power, axis=0)
     lines = [
         (float(seen.line_frequency[segment, column]), place.at, 0.5 * float(model.line_power[segment, column]))
         for column, (place, segment) in enumerate(zip(seen.places, strongest.tolist(), strict=True))
         if place.domain == "order" and seen.run.is_steady and model.line_power[segment, column] > 0
     ]
+    nodes = {float(f"{line.order:.6g}"): line.node for line in twin.lines()}
+    skirts = {node: skirts_of(twin, seen.run, node) for node in {"", *nodes.values()}}
 
     def density(frequency: Floats) -> Floats:
         total = np.zeros(frequency.size)
-        if skirts is None:
-            return total
         for at, order, power in lines:
-            total += power * skirts.beside(order, np.abs(frequency - at))
+            own = skirts[nodes.get(float(f"{order:.6g}"), "")]
+            if own is not None:
+                total += power * own.beside(order, np.abs(frequency - at))
         return total
 
     return density

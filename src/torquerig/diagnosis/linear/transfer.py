@@ -42,12 +42,15 @@ class Shafts:
         Torque that the speed loop answers with [1]; empty without a speed loop.
     angle : dict of ndarray, shape (points,)
         By which the motor's shaft sways [rad/(N m)]; empty without a speed loop.
+    angles : dict of dict of ndarray, shape (points,)
+        By which each node sways per torque on each node [rad/(N m)].
     """
 
     frequency: NDArray[np.float64]
     reading: dict[str, Response]
     drive: dict[str, Response]
     angle: dict[str, Response]
+    angles: dict[str, dict[str, Response]]
 
     def at(self, response: Response, frequencies: NDArray[np.float64]) -> Response:
         """Return a response at other frequencies [Hz], by its real and imaginary part over the logarithm."""
@@ -142,7 +145,9 @@ def _solve(measured: str, terms: Sequence[Term]) -> Shafts:
             for seen, way in _ends(drive, row):
                 dynamic[:, on, seen] += sign * way * loop
     spring = next(term for term in terms if isinstance(term, Spring) and term.name == measured)
-    asked = np.zeros((s.size, len(row), 1 + len(drives[:1])), dtype=complex)
+    count, first = len(row), 1 + len(drives[:1])
+    asked = np.zeros((s.size, count, first + count), dtype=complex)
+    asked[:, :, first:] = np.eye(count)
     for node, lever in ((spring.a, 1 / spring.ratio), (spring.b, -1.0)):
         if node != GROUND:
             asked[:, row[node], 0] += lever
@@ -152,8 +157,10 @@ def _solve(measured: str, terms: Sequence[Term]) -> Shafts:
     force = spring.stiffness + s * spring.damping
     reading = {name: np.asarray(force * adjoint[:, at, 0], dtype=np.complex128) for name, at in row.items()}
     angle = {name: np.asarray(adjoint[:, at, 1], dtype=np.complex128) for name, at in row.items() if drives}
+    angles = {name: {on: np.asarray(adjoint[:, other, first + at], dtype=np.complex128) for on, other in row.items()}
+              for name, at in row.items()}  # fmt: skip
     answered = {name: np.asarray(-loops[0] * swayed) for name, swayed in angle.items()}
-    return Shafts(grid, reading, answered, angle)
+    return Shafts(grid, reading, answered, angle, angles)
 
 
 def _ends(drive: Drive, row: Mapping[str, int]) -> list[tuple[int, float]]:

@@ -47,7 +47,7 @@ class Passage(NamedTuple):
 class LineSource(NamedTuple):
     """A line that follows the shafts: order on the motor shaft, amplitude at its source, transfer to the reading.
 
-    ``by_load`` marks amplitudes that are a share of the motor's torque.
+    ``by_load`` marks amplitudes that are a share of the motor's torque; ``node`` is what turns by the line's angle.
     """
 
     owner: str
@@ -55,6 +55,7 @@ class LineSource(NamedTuple):
     amplitude: float
     transfer: Passage
     by_load: bool = False
+    node: str = ""
 
 
 def sources(lines: Sequence[LineSource], motor: Floats) -> Floats:
@@ -67,11 +68,12 @@ def sources(lines: Sequence[LineSource], motor: Floats) -> Floats:
 
 
 class _Torque(NamedTuple):
-    """A wave of torque between two nodes: order on the motor shaft, amplitude [N m]."""
+    """A wave of torque between two nodes, by the angle of a third: order on the motor shaft, amplitude [N m]."""
 
     owner: str
     on: str
     against: str
+    turning: str
     order: float
     amplitude: float
 
@@ -169,7 +171,9 @@ class Twin:
         for each in self._torques():
             if (each.on, each.against) not in through:
                 through[each.on, each.against] = self.torque_on(each.on, each.against)
-            yield LineSource(each.owner, each.order, each.amplitude, through[each.on, each.against])
+            yield LineSource(
+                each.owner, each.order, each.amplitude, through[each.on, each.against], node=each.turning
+            )  # fmt: skip
 
     def _of_spring(self, spring: Spring) -> Iterator[LineSource]:
         """Yield its errors; a varying stiffness as the error that, to first order, has its torque."""
@@ -179,18 +183,18 @@ class Twin:
             errors += [(wave.order, wave.amplitude * twist) for wave in spring.stiffness_waves]
         if errors:
             passed, turns = self.error_in(spring.name), self.turns[spring.b]
-            yield from (LineSource(spring.name, order * turns, error, passed) for order, error in errors)
+            yield from (LineSource(spring.name, order * turns, error, passed, node=spring.b) for order, error in errors)
 
     def _of_drive(self, drive: Drive) -> Iterator[LineSource]:
         """Yield its ripple, and what its speed loop answers to an angle error of the encoder at the set-point."""
         passed, turns = self.torque_on(drive.on, drive.against), self.turns[drive.on]
         for wave in drive.ripple:
-            yield LineSource(drive.name, wave.order * turns, wave.amplitude, passed, by_load=True)
+            yield LineSource(drive.name, wave.order * turns, wave.amplitude, passed, by_load=True, node=drive.on)
             yield from self._beside(wave.order * turns, wave.amplitude, drive)
         for wave in drive.sensing.error:
             s = 1j * wave.order * (self.rig.run.speed or 0.0) * turns
             seen = (drive.kp * s + drive.ki) * wave.amplitude / (1 + drive.sensing.filter_time * s)
-            yield LineSource(drive.name, wave.order * turns, abs(seen / (1 + drive.lag * s)), passed)
+            yield LineSource(drive.name, wave.order * turns, abs(seen / (1 + drive.lag * s)), passed, node=drive.on)
 
     def _beside(self, order: float, depth: float, drive: Drive) -> Iterator[LineSource]:
         """Yield the side lines of a ripple in proportion to the motor's torque.
@@ -206,7 +210,7 @@ class Twin:
                     answers[between] = _torque(self.shafts.drive, *between)
                 for side in (order - slow.order, order + slow.order):
                     beside = Passage(self, passed.response, passed.sway, answers[between], slow.order / side)
-                    yield LineSource(drive.name, side, 0.5 * depth * slow.amplitude, beside)
+                    yield LineSource(drive.name, side, 0.5 * depth * slow.amplitude, beside, node=drive.on)
 
     def _torques(self) -> Iterator[_Torque]:
         """Yield the torques that follow a shaft, wave by wave."""
@@ -214,11 +218,11 @@ class Twin:
             if isinstance(term, HarmonicTorque):
                 for wave in term.waves:
                     order = wave.order * self.turns[term.angle]
-                    yield _Torque(term.name, term.on, term.against, order, wave.amplitude)
+                    yield _Torque(term.name, term.on, term.against, term.angle, order, wave.amplitude)
             elif isinstance(term, BladeTorque):
                 for harmonic, share in enumerate(_BLADE_SERIES, start=1):
                     order = harmonic * term.order * self.turns[term.on]
-                    yield _Torque(term.name, term.on, GROUND, order, share * term.amplitude)
+                    yield _Torque(term.name, term.on, GROUND, term.on, order, share * term.amplitude)
 
     @cached_property
     def turns(self) -> dict[str, float]:
@@ -246,10 +250,19 @@ class Twin:
         """Return the density of the torque that the speed loop answers to random loads with [(N m)^2/Hz]."""
         return np.asarray(np.interp(frequencies, self.shafts.frequency, self._answered))
 
-    @cached_property
-    def sway(self) -> Floats:
-        """Density of the motor's angle about its mean course under random loads [rad^2/Hz], on the shafts' grid."""
-        return self._driven(self.shafts.angle) if self.shafts.angle else np.zeros(self.shafts.frequency.size)
+    def sway(self, node: str, *, followed: float) -> Floats:
+        """Return the density of a node's angle about the known one under random loads, on the shafts' grid.
+
+        The angle is in turns of the motor [rad^2/Hz]. What is known of it is its mean course and, up to the frequency
+        ``followed`` [Hz], the motor's angle.
+        """
+        shafts, drives = self.shafts, [drive.on for drive in self.drives]
+        own = shafts.angles.get(node, {}) if node in self._ratios else {}
+        if not own:
+            return np.zeros(shafts.frequency.size)
+        motor = shafts.angles[drives[0]]
+        known = shafts.frequency <= followed
+        return self._driven({on: own[on] / self._ratios[node] - np.where(known, motor[on], 0.0) for on in own})
 
     def load_power_between(self, low: Floats, high: Floats) -> Floats:
         """Return the mean of that density between two frequencies [Hz] each: a sharp mode is narrower than a band."""

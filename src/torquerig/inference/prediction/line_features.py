@@ -47,14 +47,15 @@ def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
     count, places = len(seen.segments), len(seen.places)
     power, moved, varied = (np.zeros((count, places)) for _ in range(3))
     density, unshown = np.zeros((count, seen.bands.low.size)), list[tuple[Floats, Floats]]()
-    skirts, turning = skirts_of(twin, seen.run), np.maximum(np.abs(seen.speed) / (2 * pi), 1e-12)
+    turning = np.maximum(np.abs(seen.speed) / (2 * pi), 1e-12)
     core, excluded = core_of(seen), np.array([np.nan_to_num(each.line_excluded) for each in seen.segments])
     for each in rig_lines(twin, seen):
         routes = line_routes(seen, each.frequency)
         row = np.broadcast_to(np.arange(count), each.frequency.shape)
         at, inside = routes.place >= 0, routes.band >= 0
         kept = np.ones(each.frequency.shape)
-        if skirts is not None and each.follows and count:
+        skirts = skirts_of(twin, seen.run, each.node) if each.follows and count else None
+        if skirts is not None:
             there = row, np.maximum(routes.place, 0)
             kept = 1 - skirts.lost(each.frequency / turning, np.where(at, core[there], 0.0))
             hole = np.where(at, excluded[there], 0.0)

@@ -27,7 +27,7 @@ class RigLines(NamedTuple):
 
     Frequencies [Hz], mean squares of the amplitudes [(N m)^2], the same with all modes at ``1 - SHIFT`` of their
     frequency, standard deviations of the logarithm of the square over the speeds of each segment [1], and whether they
-    follow the shaft.
+    follow the shaft, that of ``node``.
     """
 
     frequency: Floats
@@ -35,6 +35,7 @@ class RigLines(NamedTuple):
     shifted: Floats
     varied: Floats
     follows: bool
+    node: str = ""
 
 
 def rig_lines(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
@@ -57,7 +58,10 @@ def _at_the_sensor(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
         square, shifted = np.square(gain).reshape(len(lines), 2, count, points).transpose(1, 0, 2, 3)
         varied = np.log(np.maximum(square, 1e-300)).std(axis=2)
         frequency = orders * np.abs(seen.speed) / (2 * pi)
-        yield RigLines(frequency, square.mean(axis=2), shifted.mean(axis=2), varied, True)
+        nodes = np.array([line.node for line in lines])
+        for node in dict.fromkeys(nodes.tolist()):
+            own = nodes == node
+            yield RigLines(frequency[own], square[own].mean(axis=2), shifted[own].mean(axis=2), varied[own], True, node)
     for frequency, size in (crosstalk_lines(twin, seen), ringing_lines(twin, seen)):
         if size.size:
             yield RigLines(frequency, size**2, size**2, np.zeros(size.shape), True)

@@ -1,4 +1,4 @@
-"""What a line loses to its sides where the angle does not follow the sway of the shaft.
+"""What a line loses to its sides where the angle does not follow the sway of its shaft.
 
 A line of order n turns by ``n theta`` in phase when the shaft sways by theta about the angle that is known. Of its
 power the share ``1 - exp(-n^2 Theta(d))`` lies farther than d from its frequency, ``Theta(d)`` the mean square of theta
@@ -21,6 +21,7 @@ from torquerig.inference.measured_run import MeasuredRun
 
 Floats = NDArray[np.float64]
 
+_NOTHING = 1e-18  # [rad^2] a sway of a nanoradian has no skirts
 _CORE = 0.75  # [bins] half the noise bandwidth of a Hann window: what a regression takes as the line
 _SHARP = 2.1  # [bins] half the width of a line that was found by regression
 
@@ -53,15 +54,14 @@ class Skirts:
         return np.asarray(0.5 * order**2 * sway * (1 - self.lost(np.array(order), distance)))
 
 
-def skirts_of(twin: Twin, run: MeasuredRun) -> Skirts | None:
-    """Return the sway that the angle of a run does not follow; None where it follows all of it."""
-    if np.isinf(run.followed):
-        return None
+def skirts_of(twin: Twin, run: MeasuredRun, node: str) -> Skirts | None:
+    """Return the sway of a node that the angle of a run does not follow; None where it follows all of it."""
     grid = twin.shafts.frequency
-    density = np.where(grid > run.followed, twin.sway, run.angle_noise)
+    density = twin.sway(node or twin.drives[0].on, followed=run.followed)
+    density = density + np.where(grid <= run.followed, run.angle_noise, 0.0)
     steps = 0.5 * (density[1:] + density[:-1]) * np.diff(grid)
     beyond = np.append(np.cumsum(steps[::-1])[::-1], 0.0)
-    return Skirts(grid, density, beyond) if beyond[0] > 0 else None
+    return Skirts(grid, density, beyond) if beyond[0] > _NOTHING else None
 
 
 def core_of(seen: RunFeatures) -> Floats:
