@@ -66,4 +66,4 @@ def test_the_packed_library_is_that_of_its_resources() -> None:
 
     text = "\n".join(Resources(mode="inline", components=["bokeh"]).js_raw)
     expected = "\n".join(line for line in text.split("\n") if line not in MARKS)
-    assert gzip.decompress(b64decode(page_scripts._bokeh())).decode() == expected
+    assert gzip.decompress(b64decode(page_scripts._bokeh(None))).decode() == expected

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -59,15 +60,19 @@ class SampledTotals:
         """Return the acceptability of these alternatives among each other, of the first rank alone."""
         places = {name: row for row, name in enumerate(self.alternatives)}
         rows = [places[name] for name in names]
-        found = {}
+        whole, found = rows == list(range(len(places))), {}
         for what, totals in self.totals.items():
-            chosen = totals[rows]
+            chosen = totals if whole else totals[rows]
             found[what] = RankAcceptability(
-                alternatives=tuple(names), shares=_first(chosen)[:, None],
-                mean_share=(chosen / self.whole[what]).mean(axis=1) / self.largest,
+                alternatives=tuple(names), shares=_first(chosen)[:, None], mean_share=self._mean_shares[what][rows],
                 uncertainty=self.uncertainties[what], draws=totals.shape[1], seed=self.seed,
             )  # fmt: skip
         return found
+
+    @cached_property
+    def _mean_shares(self) -> dict[str, Array]:
+        """Mean T/T_max of each alternative, by what is sampled."""
+        return {what: (totals / self.whole[what]).mean(axis=1) / self.largest for what, totals in self.totals.items()}
 
 
 def sampled_totals(
@@ -76,7 +81,11 @@ def sampled_totals(
 ) -> SampledTotals:  # fmt: skip
     """Return samples of the totals of a matrix for ``intervals``, ``scores``, ``weights`` alone, and ``together``."""
     separate = separate_uncertainties(Uncertainty() if uncertainty is None else uncertainty)
-    plans = {name: sampling_plan(matrix, profile=profile, uncertainty=one, seed=seed) for name, one in separate.items()}
+    whole_plans = {
+        one: sampling_plan(matrix, profile=profile, uncertainty=Uncertainty(values=one), seed=seed)
+        for one in dict.fromkeys(each.values for each in separate.values())
+    }
+    plans = {name: whole_plans[one.values].with_errors(one) for name, one in separate.items()}
     steps = _GOLDEN * np.arange(draws, dtype=np.uint64)
     weights = {name: _weights(plan, steps) for name, plan in plans.items()}
     totals = {name: np.zeros((len(matrix.alternatives), draws)) for name in plans}
@@ -150,6 +159,8 @@ def _as_doubles(bits: NDArray[np.uint64]) -> Array:
 def _first(totals: Array) -> Array:
     """Return the share of samples in which each row is first; rows that tie share it equally."""
     leads = totals >= totals.max(axis=0) - TIE
+    if np.count_nonzero(leads) == totals.shape[1]:  # one in each sample
+        return np.asarray([np.count_nonzero(row) for row in leads], float) / totals.shape[1]
     several = leads.sum(axis=0) > 1
     counts = leads[:, ~several].sum(axis=1).astype(float)
     if several.any():

@@ -83,6 +83,6 @@ class DecisionMatrix:
         """Return the part with these alternatives and with the criteria of one kind; None keeps all."""
         rows = self.alternatives if alternatives is None else tuple(alternatives)
         columns = tuple(criterion for criterion in self.criteria if kind is None or criterion.kind is kind)
-        names = {criterion.name for criterion in columns}
-        kept = {pair: cell for pair, cell in self.cells.items() if pair[0] in set(rows) and pair[1] in names}
+        wanted, names = set(rows), {criterion.name for criterion in columns}
+        kept = {pair: cell for pair, cell in self.cells.items() if pair[0] in wanted and pair[1] in names}
         return replace(self, alternatives=rows, criteria=columns, cells=kept)

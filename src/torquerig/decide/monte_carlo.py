@@ -76,6 +76,15 @@ class SamplingPlan:
     weights: tuple[NDArray[Any], ...]
     scale: Array
 
+    def with_errors(self, uncertainty: Uncertainty) -> SamplingPlan:
+        """Return the plan with the errors of points and weights of ``uncertainty``; its values are sampled alike."""
+        *cells, half_widths = self.cells
+        raw, keys, _ = self.weights
+        return replace(
+            self, cells=(*cells, np.full(half_widths.shape, uncertainty.scores)),
+            weights=(raw, keys, np.full(len(raw), uncertainty.weights)),
+        )  # fmt: skip
+
     def totals(self, draws: int) -> Array:
         """Return T of each alternative in each of ``draws`` Monte Carlo samples, shape (alternatives, draws)."""
         from torquerig.decide.kernel import all_totals

@@ -9,10 +9,12 @@ from typing import Any
 from torquerig.harmless import harmless
 from torquerig.version import __version__
 
+TEMPLATES = Path(__file__).with_name("templates")
+
 
 def _harmless(value: Any) -> Any:
     """Return text of foreign files without acting control characters; text that is HTML already stays HTML."""
-    if not isinstance(value, str):
+    if not isinstance(value, str) or value.isprintable():
         return value
     shown = harmless(value)
     return value if shown == value else type(value)(shown)
@@ -25,9 +27,12 @@ def html(template: str, content: Mapping[str, Any], *, folder: Path | None = Non
     """
     from jinja2 import ChoiceLoader, Environment, FileSystemLoader, PackageLoader, StrictUndefined
 
+    from torquerig.reporting.compiled_templates import CompiledTemplates
+
     own = [] if folder is None else [FileSystemLoader(folder)]
     environment = Environment(
         loader=ChoiceLoader([*own, PackageLoader("torquerig.reporting")]), autoescape=True, undefined=StrictUndefined,
         trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True, finalize=_harmless,
+        bytecode_cache=None if own else CompiledTemplates(TEMPLATES),
     )  # fmt: skip
     return environment.get_template(template).render({"version": __version__, **content})

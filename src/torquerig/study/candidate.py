@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from math import isclose
 
 
@@ -59,7 +60,7 @@ class Candidate:
 
         return travel_text(ratio)
 
-    @property
+    @cached_property
     def name(self) -> str:
         """The name in tables: ``HDS6A-0104A 5:1``; the motor alone where nothing turns at another speed."""
         direct = not self.gearbox and self.ratio == 1

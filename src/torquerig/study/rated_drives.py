@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -42,7 +43,7 @@ class RatedDrives:
     combinations: Mapping[str, RankAcceptability]
     verdict: MatrixVerdict
 
-    @property
+    @cached_property
     def facts(self) -> tuple[MissingFact, ...]:
         """Every missing value that a maker can state, those first that improve the choice most."""
         found = missing_facts(self.matrix, profile=self.overall.profile)

@@ -18,6 +18,7 @@ from torquerig.study.missing_data import missing_data_text
 from torquerig.study.origins import metric_text, origins_of
 
 if TYPE_CHECKING:
+    from torquerig.decide.cell import Origin
     from torquerig.study.results import DriveResult, StudyRuns
     from torquerig.study.settings import Metric, Settings
 
@@ -43,9 +44,11 @@ class Decided:
     ----------
     requirements : DecisionMatrix
         Every drive against the requirements; ``chart`` is its elimination.
+    criteria : DecisionMatrix
+        Every combination against the criteria, also those that a requirement eliminates.
     matrix : DecisionMatrix
-        Every surviving drive with every filter against the criteria; the present drive is in it as the baseline even
-        where a requirement eliminates it.
+        Its rows that are ranked: every surviving drive with every filter; the present drive is in it as the baseline
+        even where a requirement eliminates it.
     overall, technical, economic : KesselringResult
         All criteria together (the ranking), and each kind apart (the axes of the S-diagram).
     alternatives : mapping of str to Alternative
@@ -56,6 +59,7 @@ class Decided:
     chart: SelectionChart
     alternatives: Mapping[str, Alternative]
     baseline: str
+    criteria: DecisionMatrix
     matrix: DecisionMatrix
     pugh: PughResult
     overall: KesselringResult
@@ -84,10 +88,10 @@ def decide(runs: StudyRuns) -> Decided:
     chart = eliminate(requirements)
     kept = set(chart.with_decision(Decision.PURSUE, Decision.OPEN, Decision.REVISE))
     present = _present(runs)
-    alternatives = {
-        made.name: made for made in combinations(runs) if made.drive.candidate.name in kept or made.drive is present
-    }
-    matrix = criteria_matrix(runs, tuple(alternatives.values()))
+    made_all = combinations(runs)
+    alternatives = {made.name: made for made in made_all if made.drive.candidate.name in kept or made.drive is present}
+    criteria = criteria_matrix(runs, made_all)
+    matrix = criteria.only(alternatives=alternatives)
     baseline = f"{present.candidate.name} | {settings.present.filter}"
     counts = any(row.kind is Kind.ECONOMIC and row.weight > 0 for row in matrix.criteria)
     economic = matrix.only(kind=Kind.ECONOMIC) if counts else None
@@ -96,6 +100,7 @@ def decide(runs: StudyRuns) -> Decided:
         chart=chart,
         alternatives=alternatives,
         baseline=baseline,
+        criteria=criteria,
         matrix=matrix,
         pugh=pugh(matrix, baseline),
         overall=kesselring(matrix, profile=TEACHING),
@@ -142,10 +147,9 @@ def _cell(drive: DriveResult, chain: str | None, metric: Metric, settings: Setti
     """Return the cell of a figure; the missing value is drawn once for all filters of a drive."""
     figure = figure_of(drive, chain, metric)
     text = metric_text(metric, figure, chain=chain, settings=settings)
-    cell = replace(
-        cell_of(replace(figure, missing=missing_data_text(figure.missing, drive.candidate))),
-        origins=origins_of(drive, figure, metric), metric=text,
-    )  # fmt: skip
+    missing = missing_data_text(figure.missing, drive.candidate)
+    stated = figure if missing == figure.missing else replace(figure, missing=missing)
+    cell = cell_of(stated, origins=origins_of(drive, figure, metric), metric=text)
     if cell.known:
         return cell
     return replace(cell, fact=cell.unknown_reason or f"{metric.replace('_', ' ')} of {drive.candidate.name}")
@@ -162,10 +166,13 @@ def figure_of(drive: DriveResult, chain: str | None, metric: str) -> Figure:
     return drive.margins.get(metric) or Figure(missing=f"{metric.replace('_', ' ')} of {drive.candidate.name}")
 
 
-def cell_of(figure: Figure) -> Cell:
-    """Return the cell of a figure: its value, its interval, or ``?`` with the missing value."""
+def cell_of(figure: Figure, *, origins: tuple[Origin, ...] = (), metric: str = "") -> Cell:
+    """Return the cell of a figure: its value, its interval, or ``?`` with the missing value.
+
+    ``origins`` and ``metric`` are the catalog values behind it, and its calculation as text.
+    """
     if figure.unknown:
-        return Cell(unknown_reason=figure.missing, source=figure.source)
+        return Cell(unknown_reason=figure.missing, source=figure.source, origins=origins, metric=metric)
     interval = figure.low is not None and figure.high is not None and figure.low < figure.high
     return Cell(
         value=figure.value if figure.value is not None or interval else figure.low,
@@ -173,4 +180,6 @@ def cell_of(figure: Figure) -> Cell:
         high=figure.high if interval else None,
         source=figure.source,
         unknown_reason=figure.missing,
+        origins=origins,
+        metric=metric,
     )

@@ -4,27 +4,36 @@ from __future__ import annotations
 
 import gzip
 import json
+import zlib
 from base64 import b64encode
-from functools import cache
+from functools import cache, lru_cache
 from importlib.resources import files
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
+from torquerig.cases.kept_values import kept_or_made
 from torquerig.harmless import harmless
+
+if TYPE_CHECKING:
+    from torquerig.cases.kept_results import KeptResults
 
 PLOTS = ("pyramid.js", "plots.js")
 MATRICES = ("matrix_engine.js", "matrix_controls.js", "matrix_tables.js", "sweep.js")
 FIRST, PAGE = ("elements.js",), ("tables.js", "page.js")
 
 
-@cache
-def page_scripts(*, with_plots: bool = True, with_matrices: bool = True) -> Markup:
-    """Return the script elements of a page: Bokeh where it has plots, and the scripts of this package."""
+def page_scripts(
+    *, with_plots: bool = True, with_matrices: bool = True, kept: KeptResults | None = None
+) -> Markup:  # fmt: skip
+    """Return the script elements of a page: Bokeh where it has plots, and the scripts of this package.
+
+    ``kept`` are results from which the compressed library is read.
+    """
     wanted = (*FIRST, *(PLOTS if with_plots else ()), *(MATRICES if with_matrices else ()), *PAGE)
-    library = f'<script type="text/plain" id="plot-library">{_bokeh()}</script>\n' if with_plots else ""
+    library = f'<script type="text/plain" id="plot-library">{_bokeh(kept)}</script>\n' if with_plots else ""
     own = "\n".join(_own(name) for name in wanted)
     return Markup(f"{library}<script>{own}</script>")  # noqa: S704 (texts of installed packages)
 
@@ -54,11 +63,12 @@ def _cleaned(content: Any) -> Any:
     return [_cleaned(one) for one in content] if isinstance(content, list | tuple) else content
 
 
+@cache
 def _own(name: str) -> str:
     return files("torquerig.reporting").joinpath("templates", "scripts", name).read_text(encoding="utf-8")
 
 
-def _bokeh() -> str:
+def _bokeh(kept: KeptResults | None) -> str:
     """Return the library of the plots, compressed: a third of its size, and unpacked when the first plot is opened.
 
     It is ``Resources(mode="inline", components=["bokeh"]).js_raw`` without the 0.5 s that importing bokeh takes.
@@ -68,4 +78,9 @@ def _bokeh() -> str:
     assert found.origin is not None
     script = Path(found.origin).parent.joinpath("server", "static", "js", "bokeh.min.js").read_bytes()
     whole = script + b'\nBokeh.set_log_level("info");'
-    return b64encode(gzip.compress(whole, compresslevel=6, mtime=0)).decode()
+    return kept_or_made(kept, "plot library", (whole, zlib.ZLIB_RUNTIME_VERSION), lambda: _packed(whole), classes=())
+
+
+@lru_cache(maxsize=1)
+def _packed(script: bytes) -> str:
+    return b64encode(gzip.compress(script, compresslevel=6, mtime=0)).decode()

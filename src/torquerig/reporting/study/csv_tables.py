@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from io import StringIO
 from typing import TYPE_CHECKING
 
@@ -27,7 +27,8 @@ def combinations_csv(runs: StudyRuns, decided: Decided) -> str:
     order = {name: place for place, name in enumerate(decided.ranked())}
     pairs = [(drive, chain) for drive in runs.drives for chain in runs.study.settings.filters.names]
     pairs.sort(key=lambda pair: order.get(_name(*pair), len(order)))
-    rows = [_combination(drive, chain, decided) for drive, chain in pairs]
+    said = decision_words(decided)
+    rows = [_combination(drive, chain, decided, said) for drive, chain in pairs]
     return csv_text(rows)
 
 
@@ -47,11 +48,11 @@ def _name(drive: DriveResult, chain: str) -> str:
     return f"{drive.candidate.name} | {chain}"
 
 
-def _combination(drive: DriveResult, chain: str, decided: Decided) -> Fields:
+def _combination(drive: DriveResult, chain: str, decided: Decided, said: Mapping[str, str]) -> Fields:
     result = drive.chains.get(chain)
     fields = _score(_name(drive, chain), decided)
     fields += _identity(drive)
-    fields += [("filter", chain), ("requirements", decision_words(decided)[drive.candidate.name]),
+    fields += [("filter", chain), ("requirements", said[drive.candidate.name]),
                ("out of reach", drive.out_of_reach)]  # fmt: skip
     missing = Figure(unit=drive.disturbance.unit, missing=drive.out_of_reach)
     fields += _figure("reading error", result.truth_error if result else missing)

@@ -47,7 +47,7 @@ def study_page(
         **_first_screen(runs, decided, verdict),
         "files": tuple((name, _address(name, data)) for name, data in (files or {}).items()),
         "matrix_data": data_script("data-matrix", matrix_model_of(runs, decided)),
-        "scripts": page_scripts(),
+        "scripts": page_scripts(kept=runs.kept),
         **_found(runs, decided, verdict),
         **_readings(runs, decided, verdict),
         **_matrices(decided, verdict),

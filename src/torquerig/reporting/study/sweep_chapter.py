@@ -12,7 +12,7 @@ from torquerig.reporting.moving.matrix_model import study_model
 from torquerig.reporting.moving.page_scripts import data_script
 from torquerig.reporting.study import tables
 from torquerig.reporting.study.csv_tables import csv_text
-from torquerig.study.scoring import Decided, combinations, criteria_matrix
+from torquerig.study.scoring import Decided, combinations
 from torquerig.study.sweep import SweptPoint, least_error
 
 if TYPE_CHECKING:
@@ -55,9 +55,8 @@ def sweep_csv(swept: Sequence[SweptPoint]) -> str:
 
 def matrix_model_of(runs: StudyRuns, decided: Decided) -> dict[str, Any]:
     """Return the matrices of a study as the page computes them."""
-    made = combinations(runs)
-    drive_of = {one.name: one.drive.candidate.name for one in made}
-    return study_model(decided.requirements, criteria_matrix(runs, made), baseline=decided.baseline, drive_of=drive_of)
+    drive_of = {one.name: one.drive.candidate.name for one in combinations(runs)}
+    return study_model(decided.requirements, decided.criteria, baseline=decided.baseline, drive_of=drive_of)
 
 
 def _least_errors(swept: Sequence[SweptPoint]) -> dict[str, list[tuple[str, float] | None]]:

@@ -28,6 +28,8 @@ def write_workbook(path: Path, runs: StudyRuns, decided: Decided, verdict: Verdi
     """
     import xlsxwriter
 
+    from torquerig.reporting.workbook.known_formulas import KnownFormulas
+
     archive = BytesIO()  # the library leaves an open archive behind where the disk is full
     book = xlsxwriter.Workbook(archive, {"in_memory": True, "strings_to_formulas": False, "strings_to_urls": False})
     book.set_properties({"title": "torquerig study", "created": CREATED})
@@ -36,7 +38,7 @@ def write_workbook(path: Path, runs: StudyRuns, decided: Decided, verdict: Verdi
     sheets.write_shares(book.add_worksheet("Shares"), looks, runs)
     sheets.write_elimination(book.add_worksheet("Elimination"), looks, decided.chart, decided.requirements)
     sheets.write_pugh(book.add_worksheet("Pugh"), looks, decided.pugh)
-    write_kesselring(book.add_worksheet("Kesselring"), looks, decided.overall)
+    write_kesselring(book.add_worksheet("Kesselring", KnownFormulas), looks, decided.overall)
     sheets.write_assumptions(book.add_worksheet("Assumptions"), looks, runs)
     traced = traced_combinations(decided, verdict)
     write_trace(book.add_worksheet("Trace"), looks, traced)

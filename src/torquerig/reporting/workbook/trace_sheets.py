@@ -54,4 +54,5 @@ def _cell_row(sheet: Any, row: int, trace: CellTrace) -> None:
     sheet.write_string(row, 1, trace.criterion)
     sheet.write_number(row, 2, len(trace.texts("catalog")))
     for column, label in enumerate(STEPS, start=3):
-        sheet.write_string(row, column, "; ".join(trace.texts(label)))
+        if texts := trace.texts(label):
+            sheet.write_string(row, column, "; ".join(texts))
