@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,7 +36,7 @@ class Bands:
     power: Floats
     count: Floats
 
-    @property
+    @cached_property
     def middle(self) -> Floats:
         """Geometric mean of the edges [Hz]."""
         return np.sqrt(self.low * self.high)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.blocks import STANDSTILL, Block, permitted_range
 from torquerig.inference.features.bands import Bands, bands
+from torquerig.inference.features.kept import Kept
 from torquerig.inference.features.line_places import line_frequencies
 from torquerig.inference.features.line_powers import LinePowers, line_powers
 from torquerig.inference.features.segment import LineTable, Segment
@@ -53,6 +54,11 @@ class RunFeatures:
     level: Floats
     level_speed: Floats
     level_acceleration: Floats
+
+    @cached_property
+    def kept(self) -> Kept:
+        """What models were asked for these features, for models that differ in other numbers."""
+        return Kept()
 
     @cached_property
     def speed(self) -> Floats:
@@ -131,23 +137,33 @@ class RunFeatures:
         middle = np.broadcast_to(self.bands.middle, (len(self.segments), self.bands.middle.size))
         return np.asarray(may_be_beside(self.line_frequency, middle), dtype=np.float64)
 
+    @cached_property
+    def line_excluded(self) -> Floats:
+        """Within this distance [Hz] of each line the bands have no bins, shape (segments, places)."""
+        return np.array([np.nan_to_num(row.line_excluded) for row in self.segments])
+
+    @cached_property
+    def durations(self) -> Floats:
+        """Mean length of the blocks of each segment [s], shape (segments,)."""
+        return np.array([self.duration_of(segment) for segment in self.segments])
+
     def duration_of(self, segment: Segment) -> float:
         """Return the mean length of the blocks of a segment [s]."""
         lengths = [block.stop - block.start for block in segment.blocks]
         return sum(lengths) / len(lengths) / self.run.rate
 
-    @property
+    @cached_property
     def bands(self) -> Bands:
         """The bands of the first segment, whose edges are those of all."""
         return self.segments[0].bands
 
-    @property
+    @cached_property
     def unit(self) -> float:
         """Torque per unit of the recorded channel [N m]."""
         recording = self.run.recording
         return recording.channels[recording.torque_name()].si_per_unit
 
-    @property
+    @cached_property
     def level_duration(self) -> Floats:
         """Length of each part [s], shape (levels,)."""
         return np.asarray((self.parts[:, 1] - self.parts[:, 0]) / self.run.rate)

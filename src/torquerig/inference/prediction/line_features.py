@@ -48,7 +48,7 @@ def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
     power, moved, varied = (np.zeros((count, places)) for _ in range(3))
     density, unshown = np.zeros((count, seen.bands.low.size)), list[tuple[Floats, Floats]]()
     turning = np.maximum(np.abs(seen.speed) / (2 * pi), 1e-12)
-    core, excluded = core_of(seen), np.array([np.nan_to_num(each.line_excluded) for each in seen.segments])
+    core, excluded = core_of(seen), seen.line_excluded
     for each in rig_lines(twin, seen):
         routes = line_routes(seen, each.frequency)
         row = np.broadcast_to(np.arange(count), each.frequency.shape)
@@ -75,15 +75,24 @@ def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
 def _swept_density(seen: RunFeatures, frequency: Floats, power: Floats, swept: Floats) -> Floats:
     """Return the density of lines in the bands over which they sweep [(N m)^2/Hz], shape (segments, bands).
 
+    ``power`` are mean squares [(N m)^2], ``swept`` the slowest and fastest speed of each segment over its mean [1].
+    """
+    key = (frequency.shape, frequency.tobytes(), swept.tobytes())
+    per_power = seen.kept.get("swept", key, lambda: _per_power(seen, frequency, swept))
+    return np.asarray(np.matmul(power.T[:, None, :], per_power)[:, 0])
+
+
+def _per_power(seen: RunFeatures, frequency: Floats, swept: Floats) -> Floats:
+    """Return the same per power of each line [1/Hz], shape (segments, lines, bands).
+
     A Hann window widens a line by its noise bandwidth and leaves side lobes that fall with the sixth power of the
-    distance. ``power`` are mean squares [(N m)^2], ``swept`` the slowest and fastest speed of each segment over its
-    mean [1].
+    distance.
     """
     low, high = seen.bands.low, seen.bands.high
-    step = np.array([1 / seen.duration_of(segment) for segment in seen.segments])[:, None]
-    slow, fast = (frequency * swept[:, 0])[..., None], (frequency * swept[:, 1])[..., None]
+    step = 1 / seen.durations[:, None, None]
+    slow, fast = ((frequency * swept[:, column]).T[..., None] for column in (0, 1))
     near, far = slow - 0.5 * _WINDOW * step, fast + 0.5 * _WINDOW * step
     inside = np.clip(np.minimum(far, high) - np.maximum(near, low), 0.0, None) / (high - low)
     bins = np.maximum(np.maximum(low - fast, slow - high) / step, _FIRST_LOBE)
     beside = np.where(bins > _FIRST_LOBE, _LOBE * (_FIRST_LOBE / bins) ** 6, 0.0)
-    return np.asarray((power[..., None] / (far - near) * np.maximum(inside, beside)).sum(axis=0))
+    return np.asarray(np.maximum(inside, beside) / (far - near))

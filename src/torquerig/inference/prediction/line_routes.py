@@ -40,6 +40,10 @@ class LineRoutes:
 
 def line_routes(seen: RunFeatures, frequency: Floats) -> LineRoutes:
     """Return the routes of lines at ``frequency`` [Hz], shape (lines, segments)."""
+    return seen.kept.get("routes", (frequency.shape, frequency.tobytes()), lambda: _routes(seen, frequency))
+
+
+def _routes(seen: RunFeatures, frequency: Floats) -> LineRoutes:
     lines, count = frequency.shape
     place, band = (np.full((lines, count), -1, dtype=np.intp) for _ in range(2))
     width, share = np.ones((lines, count)), np.ones((lines, count))

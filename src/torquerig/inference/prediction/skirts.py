@@ -66,6 +66,10 @@ def skirts_of(twin: Twin, run: MeasuredRun, node: str) -> Skirts | None:
 
 def core_of(seen: RunFeatures) -> Floats:
     """Return within which distance [Hz] the power of each place counts as its line, shape (segments, places)."""
+    return seen.kept.get("core", None, lambda: _core_of(seen))
+
+
+def _core_of(seen: RunFeatures) -> Floats:
     rows = []
     for segment in seen.segments:
         step = 1 / seen.duration_of(segment)
@@ -84,14 +88,22 @@ def density_of(skirts: Skirts, seen: RunFeatures, frequency: Floats, power: Floa
     excluded : ndarray, shape (lines, segments)
         Within this distance [Hz] of each line the bands have no bins.
     """
+    key = (frequency.shape, frequency.tobytes(), excluded.tobytes())
+    which = (*key, skirts.frequency.tobytes(), skirts.beyond.tobytes())
+    per_power = seen.kept.get("skirts", which, lambda: _per_power(skirts, seen, frequency, excluded))
+    return np.asarray(np.matmul(power.T[:, None, :], per_power)[:, 0])
+
+
+def _per_power(skirts: Skirts, seen: RunFeatures, frequency: Floats, excluded: Floats) -> Floats:
+    """Return the same per power of each line [1/Hz], shape (segments, lines, bands)."""
     turning = np.maximum(np.abs(seen.speed) / (2 * pi), 1e-12)
-    order = (frequency / turning)[..., None]
-    at, hole = frequency[..., None], excluded[..., None]
-    low, high = seen.bands.low, seen.bands.high
-    shared, width = np.zeros((*frequency.shape, low.size)), np.zeros((*frequency.shape, low.size))
-    for near, far in ((low - at, high - at), (at - high, at - low)):  # bands above the line, and below it
-        inner, outer = np.maximum(near, hole), np.maximum(far, hole)
-        shared += 0.5 * (skirts.lost(order, inner) - skirts.lost(order, outer))
-        width += outer - inner
-    density = power[..., None] * shared / np.maximum(width, 1e-12)
-    return np.asarray(np.where(width > 0, density, 0.0).sum(axis=0))
+    order = (frequency / turning).T[..., None]
+    at, hole = frequency.T[..., None], excluded.T[..., None]
+    apart = np.append(seen.bands.low, seen.bands.high[-1:]) - at  # of the edges of the bands
+    lost, beyond_hole = skirts.lost(order, np.maximum(np.abs(apart), hole)), skirts.lost(order, hole)
+    shared, width = np.zeros((2, *at.shape[:2], seen.bands.low.size))
+    for way in (1, -1):  # bands above the line, and below it
+        beyond = np.where(way * apart > 0, lost, beyond_hole)
+        shared -= 0.5 * way * np.diff(beyond, axis=2)
+        width += way * np.diff(np.maximum(way * apart, hole), axis=2)
+    return np.where(width > 0, shared / np.maximum(width, 1e-12), 0.0)

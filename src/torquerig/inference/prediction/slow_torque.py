@@ -17,12 +17,17 @@ def covariance(seen: RunFeatures, density: Floats) -> Floats:
     parts, S at ``seen.level_grid``. Source: mean of a stationary process over a window, any text on spectral analysis
     (Priestley 1981, 5.3).
     """
-    passed, grid = seen.level_passed, seen.level_grid
-    weight = density * np.gradient(grid)
-    return np.asarray(((passed * weight) @ passed.conj().T).real)
+    return seen.kept.get("covariance", density.tobytes(), lambda: _covariance(seen, density))
+
+
+def _covariance(seen: RunFeatures, density: Floats) -> Floats:
+    passed = seen.level_passed
+    weighted = np.concatenate([passed.real, passed.imag], axis=1)
+    weighted *= np.tile(np.sqrt(density * np.gradient(seen.level_grid)), 2)
+    return np.asarray(weighted @ weighted.T)
 
 
 def of_lines(seen: RunFeatures, frequency: Floats, power: Floats) -> Floats:
     """Return the same of lines of random phase at ``frequency`` [Hz], of mean square ``power`` [(N m)^2] each."""
-    passed = passed_by_levels(seen, frequency)
+    passed = seen.kept.get("passed", frequency.tobytes(), lambda: passed_by_levels(seen, frequency))
     return np.asarray(((passed * power) @ passed.conj().T).real)
