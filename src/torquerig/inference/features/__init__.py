@@ -3,6 +3,6 @@
 line_places     which lines a block can show             line_powers     power of the lines of a block
 bands           spectrum without the lines, in bands     run_features    all of it for one run, and mean torques
 side_lines      where a line may have side lines         segment        blocks of a run at one speed
-impacts         envelopes over the angle
+impacts         envelopes over the angle                kept            answers that a fit asks for again
 noise_ratios    power over noise, for                    line_search     lines that no model has, in all runs
 """

@@ -1,0 +1,39 @@
+"""What is kept of a recording between two models changes neither of them."""
+
+from __future__ import annotations
+
+from dataclasses import fields, replace
+
+import numpy as np
+import pytest
+
+from tests.inference.drawn_runs import drawn_run, ramp, steady
+from tests.inference.pump_bench import pump_scenario
+from torquerig.diagnosis.looking.places import order
+from torquerig.inference.features.kept import MOST, Kept
+from torquerig.inference.features.run_features import run_features
+from torquerig.inference.prediction.expected_run import expected_run
+
+CHANGES = (
+    ("lines", {"amplitudes": {1.0: 0.5, 3.2: 0.1}}), ("load", {"hit_rms": 0.6}), ("pump", {"inertia": 0.04}),
+    ("sensor", {"bandwidth": 60.0}), ("load", {"mean_by_occupancy_percent": {0: 3.0, 100: 3.0}}),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("speed", [steady(1000), ramp(1200)], ids=["steady", "ramp"])
+@pytest.mark.parametrize("followed", [np.inf, 0.0], ids=["encoder", "no angle"])
+def test_a_model_expects_the_same_after_others(speed, followed, tmp_path):
+    run = replace(drawn_run(1, speed=speed, orders={1.0: 0.3}), followed=followed)
+    seen, rig = run_features(run, [order(1.0)]), pump_scenario(tmp_path).rig
+    rigs = [rig, *(rig.changed(replace(rig.part(name), **changed)) for name, changed in CHANGES), rig]
+    for one in rigs:
+        after, alone = expected_run(one, seen), expected_run(one, replace(seen))
+        for each in fields(alone):
+            assert np.array_equal(getattr(after, each.name), getattr(alone, each.name)), each.name
+
+
+def test_answers_are_made_once_and_the_oldest_goes():
+    kept, made = Kept(), []
+    for key in [*range(MOST), 0, MOST, 1, 0]:
+        assert kept.get("squares", key, lambda key=key: made.append(key) or key**2) == key**2
+    assert made == [*range(MOST), MOST, 1]
