@@ -138,6 +138,12 @@ def test_a_key_depends_on_all_that_a_figure_depends_on(tmp_path: Path, setting: 
     assert other.row_key(first) != KeptStudy(KeptResults(tmp_path), study).row_key(first)
 
 
+def test_a_point_with_fewer_draws_than_its_document_is_kept_apart(tmp_path: Path) -> None:
+    study = study_with(["study.draws=1"])
+    point = replace(study, settings=study.settings.model_copy(update={"draws": 0}))
+    assert key_of(point, tmp_path) != key_of(study, tmp_path)
+
+
 def test_a_key_depends_on_the_content_of_named_files_and_on_no_comment(tmp_path: Path) -> None:
     for name in ("wear_rig.yaml", "filters.yaml"):
         shutil.copy(shipped_scenarios() / name, tmp_path)

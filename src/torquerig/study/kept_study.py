@@ -130,7 +130,11 @@ class KeptStudy:
             if isinstance(one, dict) and "catalog" in one
         ]  # fmt: skip
         files = _files(named | set(_texts(study.filters.data)), study.document.path.parent)
-        stated = (data, sorted(metrics_of(study.settings)), study.filters.data)
+        held = {  # a point of a sweep has other settings than its document
+            name: getattr(study.settings, name) for name in type(study.settings).model_fields
+            if name not in (*RATED_AFTERWARDS, *LISTED)
+        }  # fmt: skip
+        stated = (data, held, sorted(metrics_of(study.settings)), study.filters.data)
         return content_digest(stated, str(study.document.path.stem), others, motors, files)
 
 
