@@ -23,6 +23,7 @@ MOTOR = "GP-71M"
 SCENARIO = "scenarios/wear_rig.yaml"
 CELL = ("bldc-12n14p 5:1", "reading error")
 root = Path(__file__).resolve().parents[1]
+usual = {name: text for name, text in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
 length = sys.argv[1] if len(sys.argv) > 1 else "10 s"
 
 
@@ -35,7 +36,7 @@ def command(folder, *options):
 def taken(folder, *options):
     """Return wall time [s], processor time [s], and how many drives were read from the cache."""
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
-    done = subprocess.run(command(folder, *options), check=True, capture_output=True, text=True)
+    done = subprocess.run(command(folder, *options), check=True, capture_output=True, text=True, env=usual)
     wall, after = time.perf_counter() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
     spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     return wall, spent, re.findall(r"(\d+ of \d+) drives from the cache", done.stderr)[0]
@@ -51,12 +52,14 @@ def shown(name, found, *, limit=None, ratio_to=None):
     print(f"{name:42s} {wall:6.2f} s, {spent:6.2f} s of processor time, {kept} drives were kept{judged}", flush=True)
 
 
-def copied(place, motors="all"):
-    """Return a folder with scenario and catalogs that may be changed, with the length and motors of this run."""
+def copied(place, motors="all", occupancy=None):
+    """Return a folder with scenario and catalogs that may be changed: length and motors, and occupancy where given."""
     shutil.copytree(root / "scenarios", place / "scenarios")
     shutil.copytree(root / "catalogs", place / "catalogs")
     edited(place / SCENARIO, r"^study:\n  duration: 10 s", f"study:\n  duration: {length}")
     edited(place / SCENARIO, r"^  motors: all", f"  motors: {motors}")
+    if occupancy:
+        edited(place / SCENARIO, r"^(  load: .*occupancy: )[^,}]+", rf"\g<1>{occupancy}")
     return place
 
 
@@ -69,8 +72,10 @@ def edited(path, pattern, text):
 
 with tempfile.TemporaryDirectory() as made:
     few = copied(Path(made) / "few", motors="[bldc-12n14p]")
-    taken(few)  # compiles what is not compiled yet
-    shown("another occupancy of one motor", taken(few, "--set", "load.occupancy=11"))
+    taken(few)  # compiles what is not compiled yet, and keeps what is compared with
+    alone = taken(copied(Path(made) / "alone", motors="[bldc-12n14p]", occupancy="11 %"))
+    shown("one motor at another occupancy, nothing kept", alone)
+    shown("--set load.occupancy=11 on one motor", taken(few, "--set", "load.occupancy=11"), ratio_to=alone)
     edited(few / SCENARIO, r"^  motors: .*", f"  motors: [bldc-12n14p, {MOTOR}]")
     alone = taken(few)
     shown("a further motor in a study of one", alone)
