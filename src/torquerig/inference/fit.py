@@ -14,6 +14,7 @@ from torquerig.inference.discrepancy import estimated, is_near, log_prior
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.likelihood import Discrepancy, Residuals, log_density, residuals, weights
 from torquerig.inference.load_spectrum import GainShapes, gain_shapes, with_gains
+from torquerig.inference.moved_gain import values_with_moved_gain
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
 from torquerig.rig.assembly import Rig
 
@@ -239,10 +240,14 @@ def _slopes(
         slopes[:, column] = 0.0
         position = np.concatenate([here, gains])
         position[column] += _STEP
-        there = at.expected(position[: here.size]) if column < here.size else expected
-        if there is not None:
-            after = all_residuals(at.data, there, position[here.size :], at.off)
-            slopes[:, column] = (np.concatenate([each.value for each in after]) - value) / (sd * _STEP)
+        if column >= here.size:
+            own = zip(at.data.seen, at.data.shapes, expected, base, strict=True)
+            louder, moved = position[here.size :], column - here.size
+            after = [values_with_moved_gain(*each, gains=louder, off=at.off, moved=moved) for each in own]
+        else:
+            there = at.expected(position[: here.size])
+            after = [each.value for each in all_residuals(at.data, there or expected, gains, at.off)]
+        slopes[:, column] = (np.concatenate(after) - value) / (sd * _STEP)
     return slopes
 
 

@@ -262,7 +262,8 @@ class Twin:
             return np.zeros(shafts.frequency.size)
         motor = shafts.angles[drives[0]]
         known = shafts.frequency <= followed
-        return self._driven({on: own[on] / self._ratios[node] - np.where(known, motor[on], 0.0) for on in own})
+        loaded = {term.on for term in self.terms if isinstance(term, Load)} & own.keys()
+        return self._driven({on: own[on] / self._ratios[node] - np.where(known, motor[on], 0.0) for on in loaded})
 
     def load_power_between(self, low: Floats, high: Floats) -> Floats:
         """Return the mean of that density between two frequencies [Hz] each: a sharp mode is narrower than a band."""

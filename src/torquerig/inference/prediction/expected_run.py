@@ -103,17 +103,24 @@ def _load(twin: Twin, rig: Rig, seen: RunFeatures) -> Floats:
     A load whose process depends on the set-point is taken at the speed of the segment.
     """
     bands, run, count = seen.bands, seen.run.run, len(seen.segments)
-    if seen.run.is_steady or not run.speed or not _depends_on_speed(twin, rig.at(replace(run, speed=0.5 * run.speed))):
+    own = _loads(twin.rig)
+    slower = own if seen.run.is_steady or not run.speed else _loads(rig.at(replace(run, speed=0.5 * run.speed)))
+    if slower == own:
         return np.tile(twin.load_power_between(bands.low, bands.high), (count, 1))
+    parts = [repr(part) for part in rig.parts if any(load.name == part.name for load in own)]
+    key = (twin.shafts, twin.cutoff, twin.scale, own, slower, *parts)
+    return seen.kept.get("load", key, lambda: _load_at_each_speed(rig, seen))
+
+
+def _load_at_each_speed(rig: Rig, seen: RunFeatures) -> Floats:
+    bands, run = seen.bands, seen.run.run
     fastest = float(np.abs(seen.speed).max())
     at = [replace(run, speed=float(speed) or 1e-6 * fastest) for speed in seen.speed]
     return np.array([Twin(rig.at(one)).load_power_between(bands.low, bands.high) for one in at])
 
 
-def _depends_on_speed(twin: Twin, slower: Rig) -> bool:
-    own = [term for term in twin.terms if isinstance(term, Load)]
-    other = [term for term in slower.terms() if isinstance(term, Load)]
-    return own != other
+def _loads(rig: Rig) -> tuple[Load, ...]:
+    return tuple(term for term in rig.terms() if isinstance(term, Load))
 
 
 def _zero(rig: Rig, seen: RunFeatures) -> Floats:
