@@ -7,15 +7,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.quasi_static import quasi_static
 from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.features.run_features import RunFeatures
+from torquerig.inference.prediction.kept_twin import level_balance, load_key, loads_of
 from torquerig.inference.prediction.line_features import line_features
 from torquerig.inference.prediction.measuring_chain import chain_noise, passed_by_logger
 from torquerig.inference.prediction.ringing import ringing_density
 from torquerig.inference.prediction.slow_torque import covariance, of_lines
 from torquerig.rig.assembly import Rig
-from torquerig.rig.terms import Load
 from torquerig.sensor_stages.drift import Drift
 from torquerig.sensor_stages.scale_and_zero import ScaleAndZero
 
@@ -78,8 +77,10 @@ def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
     load = recorded * _load(twin, rig, seen)
     density = load + chain_noise(twin.rig, seen) + recorded * ringing_density(twin, seen)
     lines = line_features(twin, seen)
-    balance = quasi_static(twin, speed=seen.level_speed, acceleration=seen.level_acceleration)
-    slow_load = covariance(seen, twin.load_power(np.maximum(seen.level_grid, _SLOWEST)))
+    balance = level_balance(twin, seen)
+    slow_load = seen.kept.get(
+        "slow", load_key(twin), lambda: covariance(seen, twin.load_power(np.maximum(seen.level_grid, _SLOWEST)))
+    )
     spread = slow_load
     for frequency, square in lines.unshown:
         spread = spread + of_lines(seen, frequency, square)
@@ -103,13 +104,13 @@ def _load(twin: Twin, rig: Rig, seen: RunFeatures) -> Floats:
     A load whose process depends on the set-point is taken at the speed of the segment.
     """
     bands, run, count = seen.bands, seen.run.run, len(seen.segments)
-    own = _loads(twin.rig)
-    slower = own if seen.run.is_steady or not run.speed else _loads(rig.at(replace(run, speed=0.5 * run.speed)))
+    own, key = loads_of(twin.rig), load_key(twin)
+    slower = own if seen.run.is_steady or not run.speed else loads_of(rig.at(replace(run, speed=0.5 * run.speed)))
     if slower == own:
-        return np.tile(twin.load_power_between(bands.low, bands.high), (count, 1))
+        even = seen.kept.get("load", key, lambda: twin.load_power_between(bands.low, bands.high))
+        return np.tile(even, (count, 1))
     parts = [repr(part) for part in rig.parts if any(load.name == part.name for load in own)]
-    key = (twin.shafts, twin.cutoff, twin.scale, own, slower, *parts)
-    return seen.kept.get("load", key, lambda: _load_at_each_speed(rig, seen))
+    return seen.kept.get("load", (*key, slower, *parts), lambda: _load_at_each_speed(rig, seen))
 
 
 def _load_at_each_speed(rig: Rig, seen: RunFeatures) -> Floats:
@@ -117,10 +118,6 @@ def _load_at_each_speed(rig: Rig, seen: RunFeatures) -> Floats:
     fastest = float(np.abs(seen.speed).max())
     at = [replace(run, speed=float(speed) or 1e-6 * fastest) for speed in seen.speed]
     return np.array([Twin(rig.at(one)).load_power_between(bands.low, bands.high) for one in at])
-
-
-def _loads(rig: Rig) -> tuple[Load, ...]:
-    return tuple(term for term in rig.terms() if isinstance(term, Load))
 
 
 def _zero(rig: Rig, seen: RunFeatures) -> Floats:

@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.features.run_features import RunFeatures
+from torquerig.inference.prediction.kept_twin import kept_skirts
 from torquerig.inference.prediction.line_routes import line_routes
 from torquerig.inference.prediction.rig_lines import SHIFT, rig_lines
-from torquerig.inference.prediction.skirts import core_of, density_of, skirts_of
+from torquerig.inference.prediction.skirts import core_of, density_of
 
 Floats = NDArray[np.float64]
 
@@ -54,7 +55,7 @@ def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
         row = np.broadcast_to(np.arange(count), each.frequency.shape)
         at, inside = routes.place >= 0, routes.band >= 0
         kept = np.ones(each.frequency.shape)
-        skirts = skirts_of(twin, seen.run, each.node) if each.follows and count else None
+        skirts = kept_skirts(twin, seen, each.node) if each.follows and count else None
         if skirts is not None:
             there = row, np.maximum(routes.place, 0)
             kept = 1 - skirts.lost(each.frequency / turning, np.where(at, core[there], 0.0))

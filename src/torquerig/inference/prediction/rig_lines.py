@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.quasi_static import quasi_static
 from torquerig.diagnosis.linear.twin import Twin, passed, sources
 from torquerig.inference.features.run_features import RunFeatures
+from torquerig.inference.prediction.kept_twin import speed_balance
 from torquerig.inference.prediction.measuring_chain import crosstalk_lines, passed_by_logger
 from torquerig.inference.prediction.ringing import ringing_lines
 from torquerig.sensor_stages.tone import Tone, folded
@@ -50,7 +50,7 @@ def _at_the_sensor(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
     if lines:
         count, points = seen.speeds.shape
         speeds = seen.speeds.ravel()
-        motor = quasi_static(twin, speed=speeds, acceleration=np.zeros(speeds.size)).motor
+        motor = speed_balance(twin, seen).motor
         orders = np.array([line.order for line in lines])[:, None]
         at = np.maximum(orders * np.abs(speeds) / (2 * pi), _SLOWEST)
         both = np.concatenate([at, at * (1 + SHIFT)], axis=1)
