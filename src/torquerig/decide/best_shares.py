@@ -160,7 +160,7 @@ def _first(totals: Array) -> Array:
     """Return the share of samples in which each row is first; rows that tie share it equally."""
     leads = totals >= totals.max(axis=0) - TIE
     if np.count_nonzero(leads) == totals.shape[1]:  # one in each sample
-        return np.asarray([np.count_nonzero(row) for row in leads], float) / totals.shape[1]
+        return np.array([np.count_nonzero(row) / totals.shape[1] for row in leads])
     several = leads.sum(axis=0) > 1
     counts = leads[:, ~several].sum(axis=1).astype(float)
     if several.any():

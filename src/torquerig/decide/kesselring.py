@@ -103,7 +103,7 @@ class KesselringResult:
         """The weights divided by their sum, shape (criteria,)."""
         return np.asarray(self.weights / self.weights.sum())
 
-    @property
+    @cached_property
     def weight_sum(self) -> float:
         """The sum of the raw weights; anything but 1 deserves a warning."""
         return float(self.weights.sum())
@@ -131,17 +131,17 @@ class KesselringResult:
         """T from the stated values and the middles of intervals, shape (alternatives,)."""
         return _weighted(self.middle, self.weights)
 
-    @property
+    @cached_property
     def ideal(self) -> float:
         """T of the ideal alternative, p_max everywhere."""
         return self.profile.p_max * self.weight_sum
 
-    @property
+    @cached_property
     def share(self) -> Array:
         """T/T_max, shape (alternatives,)."""
         return np.asarray(self.total / self.ideal)
 
-    @property
+    @cached_property
     def ranks(self) -> NDArray[np.int64]:
         """Shared competition ranks by ``total``, shape (alternatives,)."""
         return competition_ranks(self.total)

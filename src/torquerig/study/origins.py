@@ -46,10 +46,15 @@ FACT_TEXTS: Mapping[str, str] = {
 """Calculation of facts that need the catalog only."""
 
 
-def origins_of(drive: DriveResult, figure: Figure, metric: Metric) -> tuple[Origin, ...]:
+def origins_in_rig(drive: DriveResult) -> tuple[Origin, ...]:
+    """Return the catalog values of the simulated rig of a drive, which are behind all its simulated figures."""
+    return tuple(_of_rig(one) for one in drive.taken.values())
+
+
+def origins_of(figure: Figure, metric: Metric, *, in_rig: tuple[Origin, ...]) -> tuple[Origin, ...]:
     """Return the catalog values behind a figure: those of the whole simulated rig, or those of its formula."""
     if metric in SIMULATED:
-        return tuple(_of_rig(one) for one in drive.taken.values())
+        return in_rig
     return tuple(origin_of(name, known) for name, known in figure.rests_on)
 
 

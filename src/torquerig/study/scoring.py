@@ -15,7 +15,7 @@ from torquerig.errors import InputError
 from torquerig.metrics.figure import Figure
 from torquerig.study.criteria import criteria_of, requirements_of
 from torquerig.study.missing_data import missing_data_text
-from torquerig.study.origins import metric_text, origins_of
+from torquerig.study.origins import metric_text, origins_in_rig, origins_of
 
 if TYPE_CHECKING:
     from torquerig.decide.cell import Origin
@@ -74,13 +74,13 @@ class Decided:
 
 def decide(runs: StudyRuns) -> Decided:
     """Return elimination, Pugh and Kesselring of a study's runs."""
-    settings = runs.study.settings
+    settings, in_rig = runs.study.settings, _origins(runs)
     requirements = DecisionMatrix(
         name="requirements",
         alternatives=tuple(drive.candidate.name for drive in runs.drives),
         criteria=requirements_of(runs.study),
         cells={
-            (drive.candidate.name, name): _cell(drive, None, row.metric, settings)
+            (drive.candidate.name, name): _cell(drive, None, row.metric, settings, in_rig=in_rig[drive.candidate.name])
             for drive in runs.drives
             for name, row in settings.requirements.items()
         },
@@ -116,17 +116,23 @@ def combinations(runs: StudyRuns) -> tuple[Alternative, ...]:
 
 def criteria_matrix(runs: StudyRuns, alternatives: tuple[Alternative, ...]) -> DecisionMatrix:
     """Return these combinations against the criteria of the study."""
-    settings = runs.study.settings
+    settings, in_rig = runs.study.settings, _origins(runs)
     return DecisionMatrix(
         name="criteria",
         alternatives=tuple(made.name for made in alternatives),
         criteria=criteria_of(runs.study),
         cells={
-            (made.name, name): _cell(made.drive, made.chain, row.metric, settings)
+            (made.name, name): _cell(
+                made.drive, made.chain, row.metric, settings, in_rig=in_rig[made.drive.candidate.name]
+            )
             for made in alternatives
             for name, row in settings.criteria.items()
         },
     )
+
+
+def _origins(runs: StudyRuns) -> dict[str, tuple[Origin, ...]]:
+    return {drive.candidate.name: origins_in_rig(drive) for drive in runs.drives}
 
 
 def _present(runs: StudyRuns) -> DriveResult:
@@ -143,13 +149,15 @@ def _present(runs: StudyRuns) -> DriveResult:
     return next((drive for drive in same if drive.candidate.gearbox == here), same[0])
 
 
-def _cell(drive: DriveResult, chain: str | None, metric: Metric, settings: Settings) -> Cell:
+def _cell(
+    drive: DriveResult, chain: str | None, metric: Metric, settings: Settings, *, in_rig: tuple[Origin, ...]
+) -> Cell:  # fmt: skip
     """Return the cell of a figure; the missing value is drawn once for all filters of a drive."""
     figure = figure_of(drive, chain, metric)
     text = metric_text(metric, figure, chain=chain, settings=settings)
     missing = missing_data_text(figure.missing, drive.candidate)
     stated = figure if missing == figure.missing else replace(figure, missing=missing)
-    cell = cell_of(stated, origins=origins_of(drive, figure, metric), metric=text)
+    cell = cell_of(stated, origins=origins_of(figure, metric, in_rig=in_rig), metric=text)
     if cell.known:
         return cell
     return replace(cell, fact=cell.unknown_reason or f"{metric.replace('_', ' ')} of {drive.candidate.name}")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from torquerig.orders.kinematics.order_report_text import name_of
 from torquerig.reporting.study.csv_tables import csv_text
 
 if TYPE_CHECKING:
@@ -44,6 +43,8 @@ def ratings_csv(decided: Decided) -> str:
 
 def levels_csv(effect: FilterEffect, *, unit: str) -> str:
     """Return the amplitude of each notched line before and after a filter."""
+    from torquerig.orders.kinematics.order_report_text import name_of
+
     return csv_text(
         [
             [

@@ -37,7 +37,7 @@ def write_workbook(path: Path, runs: StudyRuns, decided: Decided, verdict: Verdi
     sheets.write_ranking(book.add_worksheet("Ranking"), looks, decided)
     sheets.write_shares(book.add_worksheet("Shares"), looks, runs)
     sheets.write_elimination(book.add_worksheet("Elimination"), looks, decided.chart, decided.requirements)
-    sheets.write_pugh(book.add_worksheet("Pugh"), looks, decided.pugh)
+    sheets.write_pugh(book.add_worksheet("Pugh", KnownFormulas), looks, decided.pugh)
     write_kesselring(book.add_worksheet("Kesselring", KnownFormulas), looks, decided.overall)
     sheets.write_assumptions(book.add_worksheet("Assumptions"), looks, runs)
     traced = traced_combinations(decided, verdict)
