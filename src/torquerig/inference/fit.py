@@ -170,6 +170,7 @@ class _Case:
     knobs: tuple[Knob, ...]
     data: Data
     off: Discrepancy
+    made: dict[bytes, list[ExpectedRun] | None] = field(default_factory=dict)  # by positions, for the latest slopes
 
     def expected(self, positions: Floats) -> list[ExpectedRun] | None:
         """Return what the model expects of each run; None where such a rig cannot be."""
@@ -236,6 +237,7 @@ def _slopes(
     value = np.concatenate([each.value for each in base])
     sd = np.concatenate([each.sd for each in base])
     slopes = np.full((value.size, here.size + gains.size), np.nan) if kept is None else kept.copy()
+    made = dict[bytes, list[ExpectedRun] | None]()
     for column in np.flatnonzero(~np.isfinite(slopes).all(axis=0)).tolist():
         slopes[:, column] = 0.0
         position = np.concatenate([here, gains])
@@ -245,9 +247,13 @@ def _slopes(
             louder, moved = position[here.size :], column - here.size
             after = [values_with_moved_gain(*each, gains=louder, off=at.off, moved=moved) for each in own]
         else:
-            there = at.expected(position[: here.size])
+            key = position[: here.size].tobytes()
+            made[key] = at.made[key] if key in at.made else at.expected(position[: here.size])
+            there = made[key]
             after = [each.value for each in all_residuals(at.data, there or expected, gains, at.off)]
         slopes[:, column] = (np.concatenate(after) - value) / (sd * _STEP)
+    at.made.clear()
+    at.made.update(made)
     return slopes
 
 

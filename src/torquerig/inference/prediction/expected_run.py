@@ -105,11 +105,14 @@ def _load(twin: Twin, rig: Rig, seen: RunFeatures) -> Floats:
     """
     bands, run, count = seen.bands, seen.run.run, len(seen.segments)
     own, key = loads_of(twin.rig), load_key(twin)
-    slower = own if seen.run.is_steady or not run.speed else loads_of(rig.at(replace(run, speed=0.5 * run.speed)))
+    parts = [repr(part) for part in rig.parts if any(load.name == part.name for load in own)]
+    slower = own
+    if not seen.run.is_steady and run.speed:
+        half = replace(run, speed=0.5 * run.speed)
+        slower = seen.kept.get("slower", (*key, *parts), lambda: loads_of(rig.at(half)))
     if slower == own:
         even = seen.kept.get("load", key, lambda: twin.load_power_between(bands.low, bands.high))
         return np.tile(even, (count, 1))
-    parts = [repr(part) for part in rig.parts if any(load.name == part.name for load in own)]
     return seen.kept.get("load", (*key, slower, *parts), lambda: _load_at_each_speed(rig, seen))
 
 
