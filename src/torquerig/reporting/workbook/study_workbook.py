@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from datetime import datetime
+from importlib.metadata import version
 from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from torquerig.cases.kept_values import kept_or_made
 from torquerig.reporting.workbook import sheets
 from torquerig.reporting.workbook.kesselring_sheet import write_kesselring
 from torquerig.reporting.workbook.trace_sheets import write_catalog_values, write_trace
@@ -24,8 +26,14 @@ def write_workbook(path: Path, runs: StudyRuns, decided: Decided, verdict: Verdi
     """Write ranking, shares, elimination, Pugh, Kesselring, assumptions and all calculations, one sheet each.
 
     The weights of the Kesselring sheet are meant to be changed: totals, T/T_max and ranks are formulas. Their present
-    values are stored too, for viewers that do not calculate.
+    values are stored too, for viewers that do not calculate. A workbook of the same drives and settings is kept.
     """
+    content = (list(runs.row_keys.items()), runs.study.settings, version("xlsxwriter"))
+    made = kept_or_made(runs.kept, "workbook", content, lambda: _workbook(runs, decided, verdict), classes=())
+    path.write_bytes(made)
+
+
+def _workbook(runs: StudyRuns, decided: Decided, verdict: Verdict) -> bytes:
     import xlsxwriter
 
     from torquerig.reporting.workbook.known_formulas import KnownFormulas
@@ -44,7 +52,7 @@ def write_workbook(path: Path, runs: StudyRuns, decided: Decided, verdict: Verdi
     write_trace(book.add_worksheet("Trace"), looks, traced)
     write_catalog_values(book.add_worksheet("Catalog"), looks, traced)
     book.close()
-    path.write_bytes(archive.getvalue())
+    return archive.getvalue()
 
 
 def formats(book: Any) -> dict[str, Any]:
