@@ -7,8 +7,8 @@ from pathlib import Path
 import click
 
 from torquerig.cli.common_options import catalog_option
-from torquerig.errors import InputError
 from torquerig.studio.server.start import run_studio
+from torquerig.studio.session.folder_files import opened_at
 
 
 @click.command("studio")
@@ -26,9 +26,9 @@ def command(*, where: Path, port: int | None, no_browser: bool, catalogs: tuple[
 
     Example: torquerig studio scenarios/wear_rig.yaml
     """
-    if not where.exists():
-        raise InputError(f"{where}: there is no such folder or scenario; check the path")
-    folder, scenario = (where.resolve().parent, where) if where.is_file() else (where, None)
+    folder, scenario = opened_at(where)
+    if scenario is None and folder != where:
+        click.echo(f"{where} has no scenario, so the studio works in {folder}", err=True)
     run_studio(
         folder, scenario, port=port, opens_browser=not no_browser, catalogs=catalogs,
         say=lambda address: click.echo(f"torquerig studio: {address}\nCtrl-C ends it."),

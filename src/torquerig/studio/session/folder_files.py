@@ -10,6 +10,7 @@ from torquerig.recordings.files.reading import readers
 from torquerig.studio.session.checked import kind_of
 from torquerig.studio.session.file_on_disk import read_text
 
+SCENARIOS = "scenarios"  # folder that ``torquerig init`` writes next to ``catalogs``
 YAML = (".yaml", ".yml")
 WORKBOOKS = (".xlsx", ".xlsm")
 
@@ -46,6 +47,30 @@ def files_in(folder: Path) -> FolderFiles:
         "recordings": "recording", "others": "other",
     }  # fmt: skip
     return FolderFiles(**{name: tuple(by_kind.get(kind, ())) for name, kind in names.items()})
+
+
+def opened_at(where: Path) -> tuple[Path, Path | None]:
+    """Return the folder of a studio and the scenario that it opens first, None for the first one of the folder.
+
+    Where a folder has no scenario, but its folder ``scenarios/`` has some, that one is opened: ``torquerig init``
+    writes it.
+
+    Raises
+    ------
+    InputError
+        Where the path is missing, or is a file that is no YAML.
+    """
+    if not where.exists():
+        raise InputError(f"{where}: there is no such folder or scenario; check the path")
+    if where.is_file():
+        if where.suffix.lower() not in YAML:
+            raise InputError(f"{where}: is no scenario, which is a YAML file; name a scenario, or the folder of "
+                             "recordings and scenarios")  # fmt: skip
+        return where.resolve().parent, where
+    written = where / SCENARIOS
+    if written.is_dir() and not files_in(where).scenarios and files_in(written).scenarios:
+        return written, None
+    return where, None
 
 
 def _kind(file: Path) -> str:
