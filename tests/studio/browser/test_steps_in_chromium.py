@@ -231,3 +231,9 @@ def test_a_phone_scrolls_in_one_direction_only(opened, step):
     shown = opened(step, width=390)
     shown.page.wait_for_timeout(1000)
     assert shown.js("document.documentElement.scrollWidth") <= 390
+
+
+def test_the_what_if_of_an_empty_folder_asks_for_a_scenario(open_studio, start_studio, tmp_path):
+    shown = open_studio(start_studio(tmp_path), step="rig")
+    shown.open_step("What-if")
+    shown.page.wait_for_selector("#what-if-title:has-text('Open a scenario first')")

@@ -10,13 +10,15 @@ from torquerig.errors import TorquerigError
 from torquerig.studio.server.elements import button, enable, words
 from torquerig.studio.server.step import Step
 from torquerig.studio.server.tab import Tab
-from torquerig.studio.steps.what_if_answer import AnswerView
+from torquerig.studio.steps.what_if_answer import NOTHING_YET, AnswerView
 from torquerig.studio.steps.what_if_form import WhatIfForm
 from torquerig.studio.what_if.asked import edits_of, simulated, sized
 from torquerig.studio.what_if.question import LENGTH, Question
 
 if TYPE_CHECKING:
     from torquerig.studio.what_if.taken_over import Edit
+
+NO_SCENARIO = "Open a scenario first; without one in the folder, copy a shipped one in the step Rig."
 
 
 class _WhatIf:
@@ -35,8 +37,20 @@ class _WhatIf:
             self._clear = button("Back to the scenario", self._form.clear)
             self._take = button("Take over into the scenario", self._take_over)
         self._view = AnswerView()
-        tab.on_change(self._form.show_document)
-        background_tasks.create(self._form.show_document())
+        tab.on_change(self._show_document)
+        background_tasks.create(self._show_document())
+
+    async def _show_document(self) -> None:
+        document = self.tab.document
+        if document is None:
+            self._view.show_missing(NO_SCENARIO)
+        elif document.good_text is None:
+            self._view.show_missing(NOTHING_YET)
+        else:
+            self._view.show_missing("Computing.")
+            await self._form.show_document()
+            if self._form.question() is None:
+                self._view.show_missing(NOTHING_YET)
 
     def _ask(self) -> None:
         self._buttons()

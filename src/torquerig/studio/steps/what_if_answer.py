@@ -19,6 +19,7 @@ MOST_LINES = 12  # of the table: those that a page shows without scrolling
 SIZES = {
     "holds": "large enough", "exceeds": "too small", "unsure": "may be too small", "unknown": "data missing",
 }  # fmt: skip
+NOTHING_YET = "Nothing could be computed yet: change what the page marks as wrong."
 KEPT = "These are the values of the last change that could be computed."
 
 
@@ -26,6 +27,7 @@ class AnswerView:
     """What is shown of an answer; it stays until there is another one."""
 
     def __init__(self) -> None:
+        self._has_answer = False
         self._kept = words("", "p", kind="note hidden").props("role=status")
         self._place = ui.element("div")
         with self._place:
@@ -46,7 +48,7 @@ class AnswerView:
 
     def show(self, found: Simulated, question: Question) -> None:
         """Show what was simulated."""
-        unit = shown_unit(found.unit)
+        unit, self._has_answer = shown_unit(found.unit), True
         say_in(self._title, found.title)
         self._after.show(_number(found.error_after, unit), f"filter {question.chain}")
         self._before.show(_number(found.error_before, unit), "rms of the reading minus the true load")
@@ -76,8 +78,16 @@ class AnswerView:
         self._sizing.set_content("")
 
     def keep_last(self) -> None:
-        """Say that what is shown belongs to the last change that could be computed."""
-        self._set_kept(True)
+        """Say that what is shown belongs to the last change that could be computed, or that there is none."""
+        if self._has_answer:
+            self._set_kept(True)
+        else:
+            say_in(self._title, NOTHING_YET)
+
+    def show_missing(self, sentence: str) -> None:
+        """Say why nothing is computed where there is no answer yet."""
+        if not self._has_answer:
+            say_in(self._title, sentence)
 
     def _set_kept(self, is_kept: bool) -> None:
         say_in(self._kept, KEPT if is_kept else "")
