@@ -77,6 +77,12 @@ def test_an_error_is_at_its_field_and_the_last_answer_stays(open_studio, shared_
     shown.change("output speed", "210 rpm")
     assert field.get_attribute("aria-invalid") is None
     assert shown.page.locator(".stale").count() == 0
+    motor = shown.page.get_by_label("motor", exact=True)
+    motor.fill("nope")
+    motor.press("Tab")
+    shown.page.wait_for_selector("[aria-invalid='true']")
+    said = shown.text(f"#{motor.get_attribute('aria-describedby')}")
+    assert said.startswith("there is no motor 'nope' in the catalog")  # no option of the command line
 
 
 def test_the_keyboard_alone_changes_the_motor(open_studio, shared_studio):

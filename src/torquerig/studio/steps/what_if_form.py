@@ -178,6 +178,8 @@ class WhatIfForm:
 def _plain(text: str, question: Question) -> str:
     """Return an error without what only the command line has: its options, and the folder of the scenario."""
     text = text.partition(" (the scenario was read with --set")[0].replace(f"{question.path.parent}{os.sep}", "")
+    for option, name in (("--motor", question.motor), ("--gearbox", question.gearbox)):
+        text = text.removeprefix(f"{option} {name}: ")
     for keys, value in question.settings:
         place = ".".join(keys)
         text = text.removeprefix(f"--set {place}={value}: ").removeprefix(f"{place}: ")
