@@ -16,6 +16,7 @@ from torquerig.studio.server.step import Step
 from torquerig.studio.server.tab import Tab
 
 WATCH = 2.0  # [s] between two looks at the open file and the catalogs on the disk
+DONE = {"undo": "Undone.", "redo": "Done again.", "reload": "{name} was read from the disk again."}
 SHOWN = "history.replaceState(null, '', `${location.pathname}?step=%s`)"
 
 
@@ -95,7 +96,8 @@ class Frame:
             self._save_as.toggle()
             return
         acts = {"undo": session.undo, "redo": session.redo, "reload": session.reload}
-        self.tab.attempt(lambda: acts[what](path))
+        if self.tab.attempt(lambda: acts[what](path)):
+            self.tab.say(DONE[what].format(name=path.name))
 
     def _save(self, path: Path) -> None:
         try:
