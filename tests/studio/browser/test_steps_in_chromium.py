@@ -237,3 +237,9 @@ def test_the_what_if_of_an_empty_folder_asks_for_a_scenario(open_studio, start_s
     shown = open_studio(start_studio(tmp_path), step="rig")
     shown.open_step("What-if")
     shown.page.wait_for_selector("#what-if-title:has-text('Open a scenario first')")
+    shown.open_step("Rig")
+    shown.page.get_by_role("button", name="Copy it").click()
+    shown.open_step("What-if")
+    shown.wait_for_answer()  # with the filter chains that the copied scenario names
+    assert "motor at 1000 rpm" in shown.text("#what-if-title")
+    assert (tmp_path / "filters.yaml").is_file()

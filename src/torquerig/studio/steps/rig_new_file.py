@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
+import shutil
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
 from nicegui import ui
 
 from torquerig.catalog.shipped import shipped_scenarios
+from torquerig.document import parse_document
+from torquerig.errors import InputError
 from torquerig.studio.server.elements import button, words
 from torquerig.studio.server.fields import choice
 from torquerig.studio.server.tab import Tab
@@ -36,7 +43,28 @@ class NewFile:
     def _copy(self) -> None:
         def copied() -> None:
             text = (shipped_scenarios() / self._source).read_text(encoding="utf-8")
+            _copy_named_files(text, self.tab.folder)
             self.tab.path = self.tab.session.new(self._source, text).path
 
         if self.tab.attempt(copied):
             self.tab.say(f"{self._source} is open. Save writes it into this folder.")
+
+
+def _copy_named_files(text: str, folder: Path) -> None:
+    """Copy the shipped files that a scenario names, such as its filter chains; a file that is there stays."""
+    named = set(_texts_in(parse_document(text, Path("scenario")).data))
+    for source in sorted(shipped_scenarios().glob("*.yaml")):
+        written = folder / source.name
+        if source.name in named and not written.exists():
+            try:
+                shutil.copyfile(source, written)
+            except OSError as error:
+                raise InputError(f"{written}: cannot be written ({error.strerror}); choose another folder") from None
+
+
+def _texts_in(data: Any) -> Iterator[str]:
+    if isinstance(data, str):
+        yield data
+    elif isinstance(data, Mapping | list):
+        for one in data.values() if isinstance(data, Mapping) else data:
+            yield from _texts_in(one)
