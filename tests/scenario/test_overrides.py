@@ -102,3 +102,10 @@ def test_a_setting_of_a_section_that_is_not_there_names_the_section() -> None:
     shaft_line = read_document(shipped_scenarios() / "shaft_line.yaml")
     with pytest.raises(InputError, match=r"^--set study\.duration=0\.3s: the scenario has no section study:"):
         overridden(shaft_line, ["study.duration=0.3s"])
+
+
+def test_a_misspelled_key_that_fits_two_places_gets_the_close_match(document: Document) -> None:
+    with pytest.raises(InputError, match="did you mean 'occupancy'"):
+        overridden(document, ["load.ocupancy=5 %"])
+    with pytest.raises(InputError, match="write more of the path"):
+        overridden(document, ["load.nonsense=5"])

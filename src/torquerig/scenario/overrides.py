@@ -77,7 +77,10 @@ def _find(data: Any, path: list[str], setting: str) -> tuple[tuple[Any, ...], di
     ]
     if len(hits) > 1:
         written = " and ".join(".".join(map(str, (*where, key))) for where, _, key in hits)
-        raise InputError(f"--set {setting}: this could be {written}; write more of the path")
+        known = {str(key) for _, _, key in _mappings(data)}
+        close = did_you_mean(path[-1], known) if path[-1] not in known else ""
+        remedy = close if close.startswith("did you mean") else "write more of the path"
+        raise InputError(f"--set {setting}: this could be {written}; {remedy}")
     if not hits:
         _refuse_in_missing_section(data, path, setting)
         known = {".".join(map(str, (*where[-1:], key))) for where, _, key in _mappings(data)}
