@@ -27,6 +27,7 @@ Progress = Callable[[str], None]
 MOST_ADDITIONS = 8
 FITTED = 5  # of the proposals of one round that are fitted together with the model
 LEAST_GAIN = 8.0  # [nats] of posterior odds by which an addition must win, 3000 to 1: the library is never complete
+LEAST_NAMELESS = 3.0  # [nats] the same of an effect without a name, which claims no cause: 20 to 1
 LEAST_HELD_OUT = 3.0  # [nats] by which it must make the held-out data more likely
 _PER_PARAMETER = 1.5  # [nats] that the freedom of a parameter costs before it is fitted, for the screening
 
@@ -94,7 +95,7 @@ def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple
     before = held_out_density(model.fit, held)
     winners = [
         one for one in fits
-        if one.log_odds > model.log_odds + LEAST_GAIN
+        if one.log_odds > model.log_odds + (LEAST_GAIN if one.additions[-1].claims else LEAST_NAMELESS)
         and held_out_density(one.fit, held) > _compared(model.fit, one.additions[-1], held, before) + LEAST_HELD_OUT
     ]  # fmt: skip
     if not winners:

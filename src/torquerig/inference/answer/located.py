@@ -38,10 +38,10 @@ def differences(outcome: Outcome) -> list[dict[str, Any]]:
 
 
 def remaining(outcome: Outcome) -> list[dict[str, Any]]:
-    """Return where the completed model still differs."""
+    """Return where the completed model still differs, also where that is too small to change the verdict."""
     fit = outcome.model.fit
     runs = all_residuals(outcome.data, fit.expected, fit.gains, fit.off)
-    return [_of_excess(outcome.data.seen, runs, each) for each in _largest(significant(outcome, fit))]
+    return [_of_excess(outcome.data.seen, runs, each) for each in _largest(significant(outcome, fit, any_size=True))]
 
 
 def _largest(found: Sequence[Excess]) -> Iterator[Excess]:

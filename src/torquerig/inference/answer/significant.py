@@ -8,7 +8,10 @@ from torquerig.inference.engine import Outcome
 from torquerig.inference.fit import Fit
 
 
-def significant(outcome: Outcome, fit: Fit) -> tuple[Excess, ...]:
-    """Return the statistics of the fitted data that fail the test of adequacy under a model, the least likely first."""
-    found = excesses_of(fit, outcome.data, relevance=relevance(outcome))
+def significant(outcome: Outcome, fit: Fit, *, any_size: bool = False) -> tuple[Excess, ...]:
+    """Return the statistics of the fitted data that fail the test of adequacy under a model, the least likely first.
+
+    With ``any_size`` also what is too small to change the verdict.
+    """
+    found = excesses_of(fit, outcome.data, relevance=0.0 if any_size else relevance(outcome))
     return tuple(each for each in found if each.p_value < LEVEL_OF_TEST)
