@@ -79,11 +79,6 @@ class Addition:
         return frozenset(part.name for part in self.parts) or frozenset(knob.name for knob in self.knobs)
 
     @property
-    def claims(self) -> bool:
-        """Whether it says what the cause is: a mechanism, or a number that is wrong."""
-        return self.is_named or not self.parts
-
-    @property
     def is_named(self) -> bool:
         """Whether it is a mechanism of the library."""
         return bool(self.mechanism)

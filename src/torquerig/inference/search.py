@@ -27,8 +27,8 @@ Progress = Callable[[str], None]
 MOST_ADDITIONS = 8
 FITTED = 5  # of the proposals of one round that are fitted together with the model
 LEAST_GAIN = 8.0  # [nats] of posterior odds by which an addition must win, 3000 to 1: the library is never complete
-LEAST_NAMELESS = 3.0  # [nats] the same of an effect without a name, which claims no cause: 20 to 1
 LEAST_HELD_OUT = 3.0  # [nats] by which it must make the held-out data more likely
+LEAST_OTHER, LEAST_HELD_OUT_OTHER = 3.0, 1.0  # [nats] the same where no mechanism is named
 _PER_PARAMETER = 1.5  # [nats] that the freedom of a parameter costs before it is fitted, for the screening
 
 
@@ -95,8 +95,8 @@ def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple
     before = held_out_density(model.fit, held)
     winners = [
         one for one in fits
-        if one.log_odds > model.log_odds + (LEAST_GAIN if one.additions[-1].claims else LEAST_NAMELESS)
-        and held_out_density(one.fit, held) > _compared(model.fit, one.additions[-1], held, before) + LEAST_HELD_OUT
+        if one.log_odds > model.log_odds + _least(one)[0]
+        and held_out_density(one.fit, held) > _compared(model.fit, one.additions[-1], held, before) + _least(one)[1]
     ]  # fmt: skip
     if not winners:
         return None, tried
@@ -106,6 +106,12 @@ def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple
     behind = [one for one in fits if one is not best and one.log_odds <= best.log_odds]
     others = [(added, one.additions[-1], best.log_odds - one.log_odds) for one in behind]
     return replace(best, alternatives=(*model.alternatives, *others)), tried
+
+
+def _least(extended: Model) -> tuple[float, float]:
+    """Return by how much an addition must win: in posterior odds, and on the held-out data [nats]."""
+    is_named = extended.additions[-1].is_named
+    return (LEAST_GAIN, LEAST_HELD_OUT) if is_named else (LEAST_OTHER, LEAST_HELD_OUT_OTHER)
 
 
 def _compared(fit: Fit, each: Addition, held: Data, before: float) -> float:

@@ -86,6 +86,11 @@ class RunFeatures:
         return np.array([row.bands.count for row in self.segments])
 
     @cached_property
+    def level_time(self) -> Floats:
+        """Middle of each part [s], shape (levels,)."""
+        return np.asarray(0.5 * self.parts.sum(axis=1) / self.run.rate)
+
+    @cached_property
     def level_time_error(self) -> Floats:
         """Standard deviation of the time between torque and speed in each part [s], shape (levels,)."""
         return self.run.time_error(np.abs(self.level_speed).mean(axis=1))
@@ -93,8 +98,7 @@ class RunFeatures:
     @cached_property
     def level_neighbours(self) -> NDArray[np.bool_]:
         """Which parts are within four times that time of each part, itself included, shape (levels, levels)."""
-        time = 0.5 * self.parts.sum(axis=1) / self.run.rate
-        near = 4 * self.level_time_error + 0.5 * self.level_duration
+        time, near = self.level_time, 4 * self.level_time_error + 0.5 * self.level_duration
         return np.asarray(np.abs(time[:, None] - time[None]) <= near[:, None])
 
     @cached_property

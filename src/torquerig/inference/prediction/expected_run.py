@@ -47,7 +47,7 @@ class ExpectedRun:
     level_rate : ndarray, shape (levels,)
         How fast the level changes from part to part [N m/s]; 0 in a steady run.
     level_range : ndarray, shape (levels,)
-        By how much the torque changes within a part [N m].
+        By how much the torque departs from a straight course within a part [N m].
     near_lines : ndarray, shape (segments, places)
         Sum of the squares of the amplitudes of the lines that may have side lines at a place [(N m)^2].
     near_bands : ndarray, shape (segments, bands)
@@ -86,9 +86,10 @@ def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
         spread = spread + of_lines(seen, frequency, square)
     moving = not seen.run.is_steady and seen.level.size > 1
     level = balance.sensor.mean(axis=1) + _zero(twin.rig, seen)
+    # parts of held-out blocks are left out between: the steepest slope that the two ends permit
     steepest = np.abs(np.gradient(level)) / np.maximum(seen.level_duration, 1e-9) if moving else 0.0 * level
     changing = np.where(seen.level_neighbours, steepest[None], 0.0).max(axis=1)
-    own = np.maximum(balance.sensor.max(axis=1) - balance.sensor.min(axis=1), changing * seen.level_duration)
+    own = _range_about_line(balance.sensor)
     density = density + lines.density
     return ExpectedRun(
         line_power=lines.power, line_slope=lines.slope, line_range=lines.varied, density=density,
@@ -96,6 +97,14 @@ def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
         level_range=own, near_lines=np.einsum("sp,spq->sq", lines.power, seen.side_places),
         near_bands=np.einsum("sp,spb->sb", 0.5 * lines.power, seen.side_bands) / (seen.bands.high - seen.bands.low),
     )  # fmt: skip
+
+
+def _range_about_line(values: Floats) -> Floats:
+    """Return the range of each row about its straight line, shape (rows,)."""
+    time = np.linspace(-1.0, 1.0, values.shape[1])
+    slope = (values @ time) / float(time @ time)
+    rest = values - values.mean(axis=1, keepdims=True) - slope[:, None] * time
+    return np.asarray(rest.max(axis=1) - rest.min(axis=1))
 
 
 def _load(twin: Twin, rig: Rig, seen: RunFeatures) -> Floats:
