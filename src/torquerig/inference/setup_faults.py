@@ -26,6 +26,7 @@ SLIPS = tuple(sorted(one**sign for one in (2**0.5, 2.0, 4.0, 10.0, 100.0, 1000.0
 _NEAR_SLIP = 0.14  # of the logarithm: half the distance of the nearest two slips, 1.41 and 2, less a margin of 0.03
 _FAR_SCALE = float(np.log(1.3))  # of the median size: nearer than this, numbers of the parts explain it
 _WIDE = 1.4  # of the logarithm of the scale: a factor of 4
+_MOVED = 2.0  # [standard deviations] a number that is off does not stay nearer to its stated value
 _STRONG, _LARGE = 10.0, 0.2  # times the noise, and of the largest level: lines and levels that show a scale
 _SIGN_MATTERS = 3  # levels at least, with a mean that exceeds their scatter
 
@@ -116,7 +117,7 @@ def _other_scale(reading: Reading, rig: Rig) -> Reading:
         found = stated * slip(found / stated)
         sensor = replace(fit.rig.part(rig.measured), scale=found)  # type: ignore[call-arg]
         again = fitted(fit.rig.changed(sensor), fit.knobs, reading.data, nominal=fit.nominal)
-    if not _clearly(again, fit):
+    if not _clearly(again, fit) or again.log_evidence < _best_number(reading, columns[0]):
         return reading
     fault = SetupFault(
         kind="sensor_scale", of=rig.measured, stated=stated, estimated=found, unit="1",
@@ -125,6 +126,18 @@ def _other_scale(reading: Reading, rig: Rig) -> Reading:
         "state.",
     )  # fmt: skip
     return Reading(reading.runs, reading.data, again, (fault, *reading.faults))
+
+
+def _best_number(reading: Reading, scale: int) -> float:
+    """Return the largest evidence [nats] with one number of the rig far from its stated value in place of the scale."""
+    fit, best = reading.fit, -np.inf
+    for at in np.flatnonzero(np.abs(fit.positions) > _MOVED).tolist():
+        knob = fit.knobs[at]
+        if at != scale and knob.factor and knob.spread < _WIDE:
+            knobs, start = list(fit.knobs), np.zeros(len(fit.knobs))
+            knobs[at], start[at] = replace(knob, spread=_WIDE), fit.positions[at] * knob.spread / _WIDE
+            best = max(best, fitted(fit.rig, knobs, reading.data, start=start).log_evidence)
+    return best
 
 
 def slip(ratio: float) -> float:
