@@ -9,7 +9,7 @@ import pytest
 from torquerig.errors import InputError
 from torquerig.recordings.files import read_recording
 from torquerig.recordings.files.sidecar_choice import sidecar_target
-from torquerig.studio.data.received import checked_name, received
+from torquerig.studio.data.received import arrival_sentence, checked_name, received
 from torquerig.studio.data.sheet_form import set_field, sheet_form
 from torquerig.studio.data.shown_file import HEAD, shown_file
 from torquerig.studio.session.tab_session import Session
@@ -104,3 +104,9 @@ def test_an_empty_field_takes_the_key_out_and_a_wrong_one_says_why(session):
     groups = sheet_form(document, parts=(), motors=("a",))
     assert [one.title for one in groups] == ["channel u", "conditions of the run", "the file"]
     assert next(one.value for one in groups[1].fields if one.keys[-1] == "occupancy_percent") == "500"
+
+
+def test_a_file_that_no_reader_takes_is_named_as_such():
+    assert arrival_sentence("run.csv") == "run.csv: received"
+    assert arrival_sentence("run.yaml") == "run.yaml: received"
+    assert "not listed: no recording ends in .exe; known are" in arrival_sentence("x.exe")

@@ -7,6 +7,8 @@ from pathlib import Path
 
 from torquerig.errors import InputError
 from torquerig.harmless import harmless
+from torquerig.recordings.files.reading import readers
+from torquerig.studio.session.folder_files import YAML
 from torquerig.whole_file import whole_file
 
 LONGEST_NAME = 200  # [characters] file systems allow 255 bytes
@@ -43,6 +45,15 @@ async def received(folder: Path, name: str, pieces: AsyncIterable[bytes]) -> Pat
     except OSError as error:
         raise InputError(f"{path.name}: cannot be written ({error.strerror}); nothing was kept") from None
     return path
+
+
+def arrival_sentence(name: str) -> str:
+    """Return the sentence for a file that was written, which may be one that no reader takes."""
+    ending = Path(name).suffix.lower()
+    if ending in readers() or ending in YAML:
+        return f"{name}: received"
+    known = ", ".join(sorted(readers()))
+    return f"{name}: received, but not listed: no recording ends in {ending or 'nothing'}; known are {known}"
 
 
 def checked_name(name: str) -> str:

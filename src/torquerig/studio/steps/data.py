@@ -9,6 +9,7 @@ from typing import Any
 from nicegui import run, ui
 
 from torquerig.recordings.files.sidecar_choice import find_sidecar, sidecar_target
+from torquerig.studio.data.received import arrival_sentence
 from torquerig.studio.data.shown_file import HEAD, ShownFile, shown_file
 from torquerig.studio.server.elements import say_in, table, words
 from torquerig.studio.server.fields import choice
@@ -52,7 +53,10 @@ class _Data:
         self._said.clear()
         with self._said:
             for one in files:
-                words(f"{one['text']}: received" if one["ok"] else one["text"], kind="" if one["ok"] else "problem")
+                words(
+                    arrival_sentence(str(one["text"])) if one["ok"] else one["text"],
+                    kind="" if one["ok"] else "problem",
+                )
         arrived = [str(one["text"]) for one in files if one["ok"]]
         self.tab.changed()
         known = {one.name for one in self.tab.session.files().recordings}
