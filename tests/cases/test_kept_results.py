@@ -212,6 +212,15 @@ def test_the_folder_is_stated_or_of_the_environment_or_of_the_platform(monkeypat
         assert kept_folder(None, {}) == Path("/some/cache/torquerig")
 
 
+def test_a_file_is_no_folder_of_results(tmp_path):
+    file = tmp_path / "notes.txt"
+    file.write_text("mine")
+    for stated, environment in ((file, {}), (None, {"TORQUERIG_CACHE": str(file)})):
+        with pytest.raises(InputError, match="is a file; name a folder"):
+            kept_folder(stated, environment)
+    assert file.read_text() == "mine"
+
+
 def test_the_limit_is_a_size_with_its_unit() -> None:
     assert kept_limit({"TORQUERIG_CACHE_LIMIT": "1.5 MB"}) == 1_500_000
     assert kept_limit({}) == 2 * 2**30

@@ -21,17 +21,28 @@ def kept_folder(stated: Path | None = None, environment: Mapping[str, str] = os.
 
     The platform's is ``$XDG_CACHE_HOME/torquerig`` or ``~/.cache/torquerig`` on Linux, ``~/Library/Caches/torquerig``
     on macOS, ``torquerig/Cache`` in ``%LOCALAPPDATA%`` on Windows. None where the variable is ``none``.
+
+    Raises
+    ------
+    InputError
+        For the name of a file.
     """
     if stated is not None:
-        return stated
+        return _no_file(stated, "--cache")
     named = environment.get(FOLDER, "").strip()
     if named == NONE:
         return None
     if named:
-        return Path(named)
+        return _no_file(Path(named), FOLDER)
     from platformdirs import user_cache_path
 
     return user_cache_path("torquerig", appauthor=False)
+
+
+def _no_file(folder: Path, option: str) -> Path:
+    if folder.is_file():
+        raise InputError(f"{option}: {folder} is a file; name a folder, which need not exist yet")
+    return folder
 
 
 def kept_limit(environment: Mapping[str, str] = os.environ) -> int:

@@ -72,7 +72,9 @@ def excesses(runs: Sequence[Residuals], sizes: Sequence[Floats], relevance: floa
         rows = [np.flatnonzero(each.kind == kind) for each in runs]
         values = [each.standardised[own] for each, own in zip(runs, rows, strict=True)]
         count = sum(each.size for each in values)
-        large = [np.abs(value) * (size[own] > relevance) for value, size, own in zip(values, sizes, rows, strict=True)]
+        least = float(t.isf(0.5 * LEVEL_OF_TEST / count, nu))  # of a residual that is no chance by itself
+        large = [np.abs(value) * _counts(size[own], each.segment[own], np.abs(value) > least, relevance)
+                 for value, size, own, each in zip(values, sizes, rows, runs, strict=True)]  # fmt: skip
         run = int(np.argmax([each.max(initial=0.0) for each in large]))
         if not large[run].any():
             continue
@@ -89,6 +91,20 @@ def excesses(runs: Sequence[Residuals], sizes: Sequence[Floats], relevance: floa
     tests = max(len(found), 1)
     return tuple(sorted((replace(each, p_value=min(tests * each.p_value, 1.0)) for each in found),
                         key=lambda each: each.p_value))  # fmt: skip
+
+
+def _counts(size: Floats, segment: NDArray[np.intp], is_odd: NDArray[np.bool_], relevance: float) -> NDArray[np.bool_]:
+    """Return which residuals of one kind in a run count: those that are large, or odd and large together.
+
+    Lines and bands of a segment add their mean squares, mean torques have their mean over the run.
+    """
+    counts = size > relevance
+    for own in np.unique(segment).tolist():
+        inside = segment == own
+        share = 1 / max(int(inside.sum()), 1) if own < 0 else 1.0
+        if np.sqrt(share * float(np.square(size[inside & is_odd]).sum())) > relevance:
+            counts = counts | (inside & is_odd)
+    return np.asarray(counts)
 
 
 def _sizes(seen: RunFeatures, each: Residuals) -> Floats:

@@ -21,9 +21,9 @@ _LOG_ODDS = -3.0
 
 
 def propose(context: Context) -> Iterator[Addition]:
-    """Yield hum for each found tone at a frequency of the grid."""
+    """Yield hum for each found tone at a frequency of the grid; a site has one grid, whose multiples are one hum."""
     name = "mains_interference"
-    for line in context.lines:
+    for line in () if context.rig.of_kind(name) else context.lines:
         near = any(abs(line.place.at / (multiple * grid) - 1) < _WITHIN for grid in _GRIDS for multiple in _MULTIPLES)
         if line.place.domain == "frequency" and near:
             yield from tone(context, line.place, name=name, mechanism=name, kind="", log_odds=_LOG_ODDS)

@@ -76,7 +76,7 @@ def save(file: FileOnDisk, text: str) -> Saved:
             if state == "changed":
                 raise _Changed
     except _Changed:
-        return Saved(False, f"{name}: has changed on disk since it was read; nothing was written. Load it again, or "
+        return Saved(False, f"{name}: has changed on disk since it was read; nothing was written. Reload from disk, or "
                      "save your version under another name", file, ("reload", "save_as"))  # fmt: skip
     except OSError as error:
         raise InputError(f"{file.path}: cannot be written ({error.strerror}); the file is unchanged") from None
