@@ -7,6 +7,8 @@ from typing import Any
 
 import pytest
 
+from tests.chromium import chromium  # noqa: F401 (a fixture of all tests)
+
 # before numpy is imported: the matrices are small, so further threads only wait, and beside a second worker they cost
 # a third of the processor's time
 os.environ |= dict.fromkeys(("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1") | dict(os.environ)

@@ -40,7 +40,7 @@ def reliability_picture(ours: Summary) -> tuple[Picture, ...]:
         return ()
     figure = reliability_figure([(row.said, row.right, row.count) for row in ours.calibration.table])
     caption = "Stated confidence and share of right findings; the numbers count findings."
-    return (picture(figure, caption=caption, told="reliability diagram"),)
+    return (picture(figure, caption=caption, alt_text="reliability diagram"),)
 
 
 def improvement(ours: Summary, trials: Sequence[Trial]) -> Chapter:

@@ -61,4 +61,4 @@ def null_picture(rigs: Sequence[Sequence[NullGain]], found: Sequence[Threshold])
     derived = {one.mechanism: one.gain for one in found if one.gain is not None}
     figure = gains_figure(gains, least=LEAST_GAIN, thresholds=derived)
     caption = "Gains on clean rigs, a dot each. Red: derived threshold. Dashed: built-in threshold."
-    return (picture(figure, caption=caption, told="gains of absent mechanisms, by mechanism"),)
+    return (picture(figure, caption=caption, alt_text="gains of absent mechanisms, by mechanism"),)

@@ -1,7 +1,5 @@
 """A study whose results are made by hand: three drives on a two-second recording of known sines, nothing simulated."""
 
-import os
-import shutil
 from dataclasses import replace
 from math import pi
 from pathlib import Path
@@ -130,32 +128,6 @@ def _out_of_reach(candidate):
         disturbance=Figure(unit="N*m", missing=reason),
         chains={},
     )
-
-
-# Chromium for the tests of pages: Debian's, driven by playwright. Without it they are skipped with a reason; where
-# TORQUERIG_BROWSER is "required", as in CI, they fail.
-NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
-
-
-def _missing(reason):
-    if os.environ.get("TORQUERIG_BROWSER") == "required":
-        pytest.fail(reason)
-    pytest.skip(reason)
-
-
-@pytest.fixture(scope="session")
-def chromium():
-    try:
-        from playwright.sync_api import sync_playwright
-    except ImportError:
-        _missing("playwright is not installed: pip install --group browser")
-    found = next((path for name in NAMES if (path := shutil.which(name))), None)
-    if found is None:
-        _missing("no Chromium in PATH: apt-get install chromium")
-    with sync_playwright() as started:
-        browser = started.chromium.launch(executable_path=found, args=["--no-sandbox", "--disable-dev-shm-usage"])
-        yield browser
-        browser.close()
 
 
 class Opened:

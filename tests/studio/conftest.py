@@ -12,8 +12,6 @@ from urllib.parse import urlsplit
 
 import pytest
 
-from tests.reporting.conftest import chromium  # noqa: F401 (the browser, or the reason why there is none)
-
 SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
 START = 60.0  # [s] on a busy machine; an idle one needs some two
 ANSWERED = 30_000  # [ms]
@@ -124,7 +122,7 @@ class StudioPage:
 
 
 @pytest.fixture
-def open_studio(chromium):  # noqa: F811
+def open_studio(chromium):
     opened = []
 
     def opening(address, **how):

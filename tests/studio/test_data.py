@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import asyncio
-
 import pytest
 
+from tests.own_loop import awaited
 from torquerig.errors import InputError
 from torquerig.recordings.files import read_recording
 from torquerig.recordings.files.sidecar_choice import sidecar_target
@@ -25,7 +24,7 @@ async def pieces(*parts, fails=False):
 
 
 def drop(folder, name, *parts, **how):
-    return asyncio.run(received(folder, name, pieces(*parts, **how)))
+    return awaited(received(folder, name, pieces(*parts, **how)))
 
 
 def test_a_dropped_file_is_written_whole(tmp_path):

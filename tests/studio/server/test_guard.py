@@ -1,9 +1,8 @@
 """Who is answered: those who know the token, from this computer, under this studio's name."""
 
-import asyncio
-
 import pytest
 
+from tests.own_loop import awaited
 from torquerig.studio.server.guard import REFUSED, Guard
 
 TOKEN, PORT = "right-token", 8123
@@ -25,7 +24,7 @@ def answer(query="", headers=(HOST,), kind="http"):
         sent.append(message)
 
     scope = {"type": kind, "query_string": query.encode(), "headers": list(headers), "path": "/"}
-    asyncio.run(Guard(application, token=TOKEN, port=PORT)(scope, None, send))
+    awaited(Guard(application, token=TOKEN, port=PORT)(scope, None, send))
     return sent
 
 
