@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.metrics.shares import DISTURBANCES, sensed
-from torquerig.simulation.simulator import SAMPLE_RATE, simulate
+from torquerig.simulation.sampling import SAMPLE_RATE
+from torquerig.simulation.simulator import simulate
 
 if TYPE_CHECKING:
     from torquerig.filters.chains.filter_chain import Chain

@@ -55,7 +55,8 @@ def reading_shares(
 
     ``sample_rate`` [Hz] is that of the simulator where it is not given.
     """
-    from torquerig.simulation.simulator import SAMPLE_RATE, simulate
+    from torquerig.simulation.sampling import SAMPLE_RATE
+    from torquerig.simulation.simulator import simulate
 
     rate = SAMPLE_RATE if sample_rate is None else sample_rate
 

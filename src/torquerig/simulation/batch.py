@@ -21,7 +21,8 @@ from torquerig.simulation.lost_friction import friction_lost
 from torquerig.simulation.motor_limit import limits_reached
 from torquerig.simulation.outputs import as_arrays
 from torquerig.simulation.ready import Ready, ready
-from torquerig.simulation.simulator import SAMPLE_RATE, SETTLING, checked, recorded, stepped
+from torquerig.simulation.sampling import SAMPLE_RATE, SETTLING
+from torquerig.simulation.simulator import checked, recorded, stepped
 from torquerig.simulation.step_watch import ALLOWED, OF_HALF, has_gaps, rms
 
 _Way = Callable[[Sequence[Ready], Sequence[bool]], list[Recording]]

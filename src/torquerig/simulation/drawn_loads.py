@@ -9,7 +9,7 @@ from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Load
 from torquerig.simulation.inputs import Span, given_torques
-from torquerig.simulation.simulator import SETTLING
+from torquerig.simulation.sampling import SETTLING
 
 
 def drawn_loads(

@@ -17,7 +17,8 @@ from torquerig.simulation.linear_start import LinearPath, prepared, wanted_speed
 from torquerig.simulation.lower import Lowered
 from torquerig.simulation.measured_places import Output
 from torquerig.simulation.outputs import outputs_of
-from torquerig.simulation.simulator import SAMPLE_RATE, SETTLING, recorded
+from torquerig.simulation.sampling import SAMPLE_RATE, SETTLING
+from torquerig.simulation.simulator import recorded
 from torquerig.simulation.twin.blocks import lifted, run
 from torquerig.simulation.twin.friction_slope import sliding
 from torquerig.simulation.twin.operating_point import HALF_WAVE_SQUARED_MEAN, mean_torques

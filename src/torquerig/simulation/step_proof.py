@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
 from torquerig.rig.assembly import Rig
-from torquerig.simulation.simulator import SAMPLE_RATE, SETTLING, choice_for, simulate
+from torquerig.simulation.sampling import SAMPLE_RATE, SETTLING
+from torquerig.simulation.simulator import choice_for, simulate
 from torquerig.simulation.step_choice import StepChoice
 
 SENSOR = "true_sensor_torque_Nm"

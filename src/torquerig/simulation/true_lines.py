@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 from torquerig.recordings.recording import EFFORTS, Channel, Recording
 from torquerig.simulation.measured_places import what_is_read
-from torquerig.simulation.simulator import SETTLING, simulate
+from torquerig.simulation.sampling import SETTLING
+from torquerig.simulation.simulator import simulate
 
 if TYPE_CHECKING:
     from torquerig.rig.assembly import Rig

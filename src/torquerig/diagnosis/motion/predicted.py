@@ -15,7 +15,8 @@ from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import ImposedMotion
 from torquerig.simulation.inputs import Span
 from torquerig.simulation.ready import ready
-from torquerig.simulation.simulator import SETTLING, stepped
+from torquerig.simulation.sampling import SETTLING
+from torquerig.simulation.simulator import stepped
 
 Floats = NDArray[np.float64]
 
