@@ -55,3 +55,10 @@ def test_what_is_smaller_than_the_relevance_does_not_count():
     runs = [drawn(np.random.default_rng(5), odd=40.0)]
     assert least_likely(runs, relevance=0.5).p_value < 1e-6
     assert not excesses(runs, [np.ones(each.value.size) for each in runs], 2.0)
+
+
+def test_runs_without_lines_are_judged_by_the_other_features():
+    one = drawn(np.random.default_rng(6))
+    kept = one.kind != LINE
+    rest = Residuals(*(getattr(one, name)[kept] for name in ("value", "sd", "kind", "at", "segment")))
+    assert {each.kind for each in excesses([rest], [np.ones(kept.sum())], 0.0)} == set(one.kind.tolist()) - {LINE}

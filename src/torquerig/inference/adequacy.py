@@ -72,6 +72,8 @@ def excesses(runs: Sequence[Residuals], sizes: Sequence[Floats], relevance: floa
         rows = [np.flatnonzero(each.kind == kind) for each in runs]
         values = [each.standardised[own] for each, own in zip(runs, rows, strict=True)]
         count = sum(each.size for each in values)
+        if not count:
+            continue
         least = float(t.isf(0.5 * LEVEL_OF_TEST / count, nu))  # of a residual that is no chance by itself
         large = [np.abs(value) * _counts(size[own], each.segment[own], np.abs(value) > least, relevance)
                  for value, size, own, each in zip(values, sizes, rows, runs, strict=True)]  # fmt: skip
