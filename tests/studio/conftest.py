@@ -1,4 +1,4 @@
-"""A studio of its own for tests in the browser: a process with a folder of scenarios, and pages in Chromium."""
+"""A studio for tests in the browser: a process with a folder of scenarios, and pages in Chromium."""
 
 import os
 import re
@@ -67,7 +67,7 @@ def own_folder(tmp_path):
 
 
 class StudioPage:
-    """A tab in its own browser context: what it logged as an error, and which hosts it asked."""
+    """A tab in a separate browser context: what it logged as an error, and which hosts it asked."""
 
     def __init__(self, browser, address, *, step="what_if", width=1280, dark=False):
         self.context = browser.new_context(

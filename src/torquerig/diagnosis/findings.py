@@ -120,13 +120,13 @@ def faults_found(faults: SampleFindings, case: Case, *, gain: float) -> list[Fin
 
 
 def reasons(case: Case, found: Searched, findings: Sequence[Finding], *, why: str) -> Mapping[str, str]:
-    """Return why each mechanism that is neither found nor a rival of what is was set aside.
+    """Return why each mechanism that was neither found nor an alternative to what was is set aside.
 
     ``case`` is the first, and ``why`` the reason for what was withdrawn.
     """
-    rivals = [name for each in findings for name, _ in each.alternatives]
+    others = [name for each in findings for name, _ in each.alternatives]
     known = [each.mechanism for each in findings]
-    aside = set_aside(case, found.first, known=[*known, *rivals])
+    aside = set_aside(case, found.first, known=[*known, *others])
     return {**aside, **{name: why for name in found.withdrawn if name not in known}}
 
 

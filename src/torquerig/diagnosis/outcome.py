@@ -113,7 +113,7 @@ METRIC = (
 
 
 def as_json(diagnosis: Diagnosis) -> dict[str, Any]:
-    """Return the diagnosis in the contract's form, with ``alternatives``, ``set_aside`` and ``remarks`` beside it."""
+    """Return the diagnosis in the contract's form, with ``alternatives``, ``set_aside`` and ``remarks``."""
     fit, improvement = diagnosis.fit, diagnosis.fit.improvement
     return {
         "schema": SCHEMA,

@@ -53,7 +53,7 @@ def _skirts(fit: Fit, seen: RunFeatures, model: ExpectedRun) -> Callable[[Floats
         for at, order, power in lines:
             own = skirts[nodes.get(float(f"{order:.6g}"), "")]
             if own is not None:
-                total += power * own.beside(order, np.abs(frequency - at))
+                total += power * own.side_density(order, np.abs(frequency - at))
         return total
 
     return density

@@ -54,7 +54,7 @@ class SampleFaults:
     additions : tuple of Addition
         Without parameters that are fitted.
     coarser : float
-        Step of the codes over that of the converter [1]; 1 where they are its own.
+        Step of the codes over that of the converter [1]; 1 where they are the converter's.
     """
 
     recordings: tuple[Recording, ...]

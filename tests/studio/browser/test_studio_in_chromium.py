@@ -132,10 +132,10 @@ def test_the_file_is_saved_under_another_name(open_studio, start_studio, own_fol
     field.press("Tab")
     shown.page.get_by_role("button", name="Save as").click()
     name = shown.page.get_by_label("new file name", exact=True)
-    for text, told in (("mine", "ends in .yaml"), ("two_stage_branch.yaml", "is there already")):
+    for text, problem in (("mine", "ends in .yaml"), ("two_stage_branch.yaml", "is there already")):
         name.fill(text)
         shown.page.get_by_role("button", name="Write the new file").click()
-        shown.page.wait_for_selector(f".bar .problem:has-text('{told}')")
+        shown.page.wait_for_selector(f".bar .problem:has-text('{problem}')")
     name.fill("mine.yaml")
     shown.page.get_by_role("button", name="Write the new file").click()
     shown.page.wait_for_function("document.querySelector('.bar select').value === 'mine.yaml'")

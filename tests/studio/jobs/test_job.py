@@ -1,4 +1,4 @@
-"""Long work in its own process: progress, result, faults as sentences, and an end that leaves nothing running."""
+"""Long work in a separate process: progress, result, faults as sentences, and an end that leaves nothing running."""
 
 from __future__ import annotations
 

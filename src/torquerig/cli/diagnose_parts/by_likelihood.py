@@ -48,7 +48,7 @@ def diagnosed_by_likelihood(
 
 
 def _lines(data: Mapping[str, Any]) -> list[str]:
-    """Return what is missing, how large in N m, how sure, from what it cannot be told, and what to do next."""
+    """Return what is missing, how large in N m, how sure, what it cannot be separated from, and what to do next."""
     return answer_lines(data, verdict=verdict_of(data), remarks=remarks_of(data))
 
 

@@ -209,8 +209,8 @@ class Twin:
                 if between not in answers:
                     answers[between] = _torque(self.shafts.drive, *between)
                 for side in (order - slow.order, order + slow.order):
-                    beside = Passage(self, passed.response, passed.sway, answers[between], slow.order / side)
-                    yield LineSource(drive.name, side, 0.5 * depth * slow.amplitude, beside, node=drive.on)
+                    sideways = Passage(self, passed.response, passed.sway, answers[between], slow.order / side)
+                    yield LineSource(drive.name, side, 0.5 * depth * slow.amplitude, sideways, node=drive.on)
 
     def _torques(self) -> Iterator[_Torque]:
         """Yield the torques that follow a shaft, wave by wave."""

@@ -28,7 +28,7 @@ class Inseparable:
 
 @dataclass(frozen=True)
 class Beforehand:
-    """The smallest visible size of each mechanism, in the contract's form, and what cannot be told apart."""
+    """The smallest visible size of each mechanism, in the contract's form, and what cannot be separated."""
 
     upper_limits: tuple[dict[str, Any], ...]
     inseparable: tuple[Inseparable, ...]

@@ -95,5 +95,5 @@ def _per_power(seen: RunFeatures, frequency: Floats, swept: Floats) -> Floats:
     near, far = slow - 0.5 * _WINDOW * step, fast + 0.5 * _WINDOW * step
     inside = np.clip(np.minimum(far, high) - np.maximum(near, low), 0.0, None) / (high - low)
     bins = np.maximum(np.maximum(low - fast, slow - high) / step, _FIRST_LOBE)
-    beside = np.where(bins > _FIRST_LOBE, _LOBE * (_FIRST_LOBE / bins) ** 6, 0.0)
-    return np.asarray(np.maximum(inside, beside) / (far - near))
+    lobes = np.where(bins > _FIRST_LOBE, _LOBE * (_FIRST_LOBE / bins) ** 6, 0.0)
+    return np.asarray(np.maximum(inside, lobes) / (far - near))

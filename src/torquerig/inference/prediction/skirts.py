@@ -48,7 +48,7 @@ class Skirts:
         """Return which share of a line's power lies farther than ``distance`` [Hz] from it, of the broadcast shape."""
         return np.asarray(-np.expm1(-(order**2) * np.interp(distance, self.frequency, self.beyond, right=0.0)))
 
-    def beside(self, order: float, distance: Floats) -> Floats:
+    def side_density(self, order: float, distance: Floats) -> Floats:
         """Return the density on one side of a line of unit power [1/Hz] at distances [Hz]."""
         sway = np.interp(distance, self.frequency, self.density, right=0.0)
         return np.asarray(0.5 * order**2 * sway * (1 - self.lost(np.array(order), distance)))

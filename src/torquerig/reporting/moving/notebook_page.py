@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 MOST_VALUES = 4_000_000  # of all drawn channels: some 8 MB of the notebook
 MOST_CHANNELS = 6  # panels of one plot
 HIGHEST = 2000.0  # [Hz] end of the first view of the spectrum
-_AROUND, _SPECTRUM = 230, 460  # [px] of captions and buttons; of the spectrum with its own
+_AROUND, _SPECTRUM = 230, 460  # [px] of captions and buttons; of the spectrum, captions included
 
 
 def notebook_frame(recording: Recording, figure: Figure, *, main: str) -> str:

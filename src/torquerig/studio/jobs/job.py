@@ -1,4 +1,4 @@
-"""A piece of long work that runs in a process of its own."""
+"""A piece of long work that runs in a separate process."""
 
 from __future__ import annotations
 
@@ -138,7 +138,7 @@ class Job:
 
 
 def start(function: Callable[..., Any], *arguments: Any) -> Job:
-    """Start ``function(*arguments, report)`` in a process of its own, and return the running job.
+    """Start ``function(*arguments, report)`` in a separate process, and return the running job.
 
     Parameters
     ----------

@@ -15,7 +15,7 @@ KEPT = ".torquerig-studio"
 
 @contextmanager
 def studio_lock(folder: Path) -> Iterator[Path]:
-    """Hold a folder for this studio, and yield the hidden folder for its own files.
+    """Hold a folder for this studio, and yield the hidden folder for the studio's files.
 
     Raises
     ------

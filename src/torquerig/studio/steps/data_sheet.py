@@ -1,4 +1,4 @@
-"""The sidecar of a recording as a form, with its own undo and save."""
+"""The sidecar of a recording as a form with undo and save."""
 
 from __future__ import annotations
 
