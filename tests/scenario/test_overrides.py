@@ -56,7 +56,7 @@ def test_no_setting_leaves_the_document(document: Document) -> None:
         ("=5", r"^--set =5: not of the form path=value"),
         ("gearbox.ratio=", r"^--set gearbox\.ratio=: not of the form path=value"),
         ("gearbox.ratio=[1", r"^--set gearbox\.ratio=\[1: '\[1' is no YAML value; close every bracket"),
-        ("particle_size=1 mm", r"this could be operating_point\.load\.particle_size and study\.all_points\.particle_size; write more"),
+        ("particle_size=1 mm", r"^--set particle_size=1 mm: this could be operating_point\.load\.particle_size and study\.all_points\.particle_size; write more"),
         ("measured.first=1", r"the scenario has no such path"),
         ("wear_prt.inertia=1", r"^--set wear_prt\.inertia=1: the scenario has no such path; did you mean 'wear_part\.inertia'"),
         ("occupanzy=5", r"no such path; did you mean .*occupancy'"),
@@ -65,6 +65,8 @@ def test_no_setting_leaves_the_document(document: Document) -> None:
 def test_a_setting_that_means_nothing_is_refused(setting: str, said: str, document: Document) -> None:
     with pytest.raises(InputError, match=said):
         overridden(document, [setting])
+    with pytest.raises(InputError, match=said.replace("--set", "sweep")):
+        overridden(document, [setting], option="sweep")
 
 
 @pytest.mark.parametrize(

@@ -74,6 +74,18 @@ def test_a_second_run_simulates_nothing_and_has_the_same_figures(tmp_path: Path,
         assert (one.recording.torque() == other.recording.torque()).all()
 
 
+def test_a_scenario_under_another_name_is_the_same_study(tmp_path: Path, simulations: list[str]) -> None:
+    results = KeptResults(tmp_path / "kept")
+    first = run_study(study_with(), kept=results)
+    renamed = tmp_path / "renamed.yaml"
+    for name in ("wear_rig.yaml", "filters.yaml"):
+        shutil.copy(shipped_scenarios() / name, tmp_path)
+    (tmp_path / "wear_rig.yaml").rename(renamed)
+    simulations.clear()
+    assert figures(run_study(study_with(scenario=renamed), kept=results)) == figures(first)
+    assert simulations == []
+
+
 def test_a_changed_motor_is_simulated_alone(tmp_path: Path, simulations: list[str]) -> None:
     catalog = tmp_path / "catalog"
     shutil.copytree(shipped_folder(), catalog)

@@ -115,6 +115,8 @@ def command(
     if pdf:
         written.append(written[0].with_suffix(".pdf"))
         write_pdf(written[0], written[-1])
+    elif (earlier := written[0].with_suffix(".pdf")).exists():
+        click.echo(f"{earlier} is of an earlier run; --pdf prints this one")
     click.echo(f"\nreport: {written[0]}\n")
     click.echo("\n".join(wrapped(sentence) for sentence in answer.answer.sentences))
     return compare_result(

@@ -15,33 +15,35 @@ from torquerig.scenario.section_names import SECTIONS
 
 @dataclass(frozen=True)
 class EditedDocument(Document):
-    """A document with ``--set`` values in it: ``edits`` are (path in the data, setting), the last one counts."""
+    """A document with values of an option in it: ``edits`` are (path in the data, setting), the last one counts."""
 
     edits: tuple[tuple[tuple[str, ...], str], ...] = ()
+    option: str = "--set"
 
     def place(self, keys: Iterable[str | int] = ()) -> str:
-        """Return ``--set path=value: a.b`` for what a setting put in, else file and line as for any document."""
+        """Return ``OPTION path=value: a.b`` for what a setting put in, else file and line as for any document."""
         keys = tuple(keys)
         path = tuple(str(key) for key in keys)
         for edited, setting in reversed(self.edits):
             if path[: len(edited)] == edited or edited == (*path, "value"):
-                return f"--set {setting}: {'.'.join(path)}"
+                return f"{self.option} {setting}: {'.'.join(path)}"
         return super().place(keys)
 
 
 def naming_edits(document: Document, error: TorquerigError) -> TorquerigError:
     """Return the error with the document's settings named, where its place alone would be misleading."""
-    if not isinstance(document, EditedDocument) or "--set " in str(error):
+    if not isinstance(document, EditedDocument) or f"{document.option} " in str(error):
         return error
-    written = " ".join(f"--set {setting!r}" for _, setting in document.edits)
+    written = " ".join(f"{document.option} {setting!r}" for _, setting in document.edits)
     return type(error)(f"{error} (the scenario was read with {written})")
 
 
-def overridden(document: Document, settings: Sequence[str]) -> Document:
+def overridden(document: Document, settings: Sequence[str], *, option: str = "--set") -> Document:
     """Return the document with each ``path=value`` of ``settings`` put in; the value is read as YAML.
 
     A path is the end of a dotted path that occurs in the scenario once: ``load.occupancy`` finds
     ``operating_point.load.occupancy``. A key that its mapping does not state yet may be set where the mapping is found.
+    ``option`` is where the settings were written, for errors.
     """
     if not settings:
         return document
@@ -50,24 +52,26 @@ def overridden(document: Document, settings: Sequence[str]) -> Document:
     for setting in settings:
         path, equals, text = setting.partition("=")
         if not equals or not path.strip() or not text.strip():
-            raise InputError(f"--set {setting}: not of the form path=value; write for example --set gearbox.ratio=10")
-        where, holder, key = _find(data, path.strip().split("."), setting)
-        holder[key] = _value(text.strip(), setting)
+            raise InputError(
+                f"{option} {setting}: not of the form path=value; write for example {option} gearbox.ratio=10"
+            )
+        where, holder, key = _find(data, path.strip().split("."), f"{option} {setting}")
+        holder[key] = _value(text.strip(), f"{option} {setting}")
         edits.append(((*(str(part) for part in where), str(key)), setting))
-    return EditedDocument(document.path, data, document.node, tuple(edits))
+    return EditedDocument(document.path, data, document.node, tuple(edits), option)
 
 
-def _value(text: str, setting: str) -> Any:
+def _value(text: str, written: str) -> Any:
     try:
         return parse_document(text, Path("value")).data
     except InputError:
         raise InputError(
-            f"--set {setting}: {text!r} is no YAML value; close every bracket and quote, "
-            "for example --set 'rig.gap={kind: backlash, gap: 4 arcmin}'"
+            f"{written}: {text!r} is no YAML value; close every bracket and quote, "
+            "for example 'rig.gap={kind: backlash, gap: 4 arcmin}'"
         ) from None
 
 
-def _find(data: Any, path: list[str], setting: str) -> tuple[tuple[Any, ...], dict[Any, Any], Any]:
+def _find(data: Any, path: list[str], written: str) -> tuple[tuple[Any, ...], dict[Any, Any], Any]:
     """Return (path of the mapping, the mapping, key) that a setting means."""
     exact = [hit for hit in _mappings(data) if _ends_with((*hit[0], hit[2]), path)]
     hits = exact or [
@@ -76,24 +80,24 @@ def _find(data: Any, path: list[str], setting: str) -> tuple[tuple[Any, ...], di
         if len(path) > 1 and _ends_with((*where, key), path[:-1]) and isinstance(holder[key], dict)
     ]
     if len(hits) > 1:
-        written = " and ".join(".".join(map(str, (*where, key))) for where, _, key in hits)
+        places = " and ".join(".".join(map(str, (*where, key))) for where, _, key in hits)
         known = {str(key) for _, _, key in _mappings(data)}
         close = did_you_mean(path[-1], known) if path[-1] not in known else ""
         remedy = close if close.startswith("did you mean") else "write more of the path"
-        raise InputError(f"--set {setting}: this could be {written}; {remedy}")
+        raise InputError(f"{written}: this could be {places}; {remedy}")
     if not hits:
-        _refuse_in_missing_section(data, path, setting)
+        _refuse_in_missing_section(data, path, written)
         known = {".".join(map(str, (*where[-1:], key))) for where, _, key in _mappings(data)}
-        raise InputError(f"--set {setting}: the scenario has no such path; {did_you_mean('.'.join(path), known)}")
+        raise InputError(f"{written}: the scenario has no such path; {did_you_mean('.'.join(path), known)}")
     return hits[0]
 
 
-def _refuse_in_missing_section(data: Any, path: list[str], setting: str) -> None:
+def _refuse_in_missing_section(data: Any, path: list[str], written: str) -> None:
     """Raise InputError where the path starts with a section that a scenario may have and this one has not."""
     section = path[0]
     if len(path) > 1 and section in SECTIONS and isinstance(data, dict) and section not in data:
         raise InputError(
-            f"--set {setting}: the scenario has no section {section}:, so that nothing of it can be set; write the "
+            f"{written}: the scenario has no section {section}:, so that nothing of it can be set; write the "
             "section first, or use a scenario that has it"
         )
 

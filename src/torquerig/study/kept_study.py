@@ -135,7 +135,7 @@ class KeptStudy:
             if name not in (*RATED_AFTERWARDS, *LISTED)
         }  # fmt: skip
         stated = (data, held, sorted(metrics_of(study.settings)), study.filters.data)
-        return content_digest(stated, str(study.document.path.stem), others, motors, files)
+        return content_digest(stated, others, motors, files)
 
 
 def _first_recording(candidate: Candidate, study: Study) -> Recording:

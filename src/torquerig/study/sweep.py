@@ -108,7 +108,9 @@ def sweep(
 
 
 def _study(document: Document, catalog: Catalog, values: Mapping[str, str]) -> Study:
-    study = open_study(overridden(document, [f"{key}={value}" for key, value in values.items()]), catalog)
+    study = open_study(
+        overridden(document, [f"{key}={value}" for key, value in values.items()], option="sweep"), catalog
+    )
     return Study(study.document, study.settings.model_copy(update={"draws": 0}), study.catalog, study.filters)
 
 

@@ -151,7 +151,7 @@ def test_a_catalog_edited_to_nonsense_is_said_and_the_last_answer_stays(open_stu
     shown.change("motor", "mine")
     before = shown.text(LARGE)
     (motors / "mine.yaml").write_text("name: mine\nnonsense: 3\n")
-    shown.page.wait_for_selector("main > [role=alert] >> text=mine.yaml")
+    shown.page.wait_for_selector(".steps-shown > [role=alert] >> text=mine.yaml")
     field = shown.page.get_by_label("output speed", exact=True)
     field.fill("210 rpm")
     field.press("Enter")

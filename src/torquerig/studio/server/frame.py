@@ -31,7 +31,7 @@ class Frame:
         with ui.element("nav").classes("steps").props('aria-label="steps"'):
             for one in steps:
                 self._buttons[one.key] = button(one.title, partial(self.open, one.key))
-        with ui.element("main"):
+        with ui.element("div").classes("steps-shown"):  # NiceGUI's page is the main element
             self._problems = ui.element("div").classes("problems hidden").props("role=alert")
             for one in steps:
                 self._sections[one.key] = ui.element("section").classes("hidden")
