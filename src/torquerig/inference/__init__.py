@@ -1,15 +1,17 @@
 """Backwards, the second engine: one likelihood of features, nameless alternatives, held-out data as referee.
 
-measured_run, blocks    a recording with its angle, cut where the speed changes
+sample_faults           samples at a limit, coarse codes and dropouts: named, mended or left out
+measured_run, blocks    a recording with its angle, cut where the speed changes; tacho_direction: which way it turned
 features/               what recordings show: lines, bands, levels; and lines that no model has yet
 prediction/             what a rig is expected to show
 likelihood              how likely features are under a model      load_spectrum   what nobody knows of a load
+discrepancy             how far a right model may be off           model_density   what a model expects between lines
 setup_faults            readings of the samples with a fact of the set-up corrected
-parameters, fit         the nominal rig's numbers, their maximum of the posterior, and the evidence
+parameters, fit         the nominal rig's numbers, their maximum of the posterior, and the evidence; moved_gain: slopes
 additions/, addition    hypotheses: nameless effects, numbers far off, mechanisms
 context, shafts, tones, one_size    for them
 search                  the additions of the largest posterior odds
 adequacy, held_out      whether a model explains the data, and those that no fit has seen
-isolability/            what recordings can show and tell apart
+isolability/            what recordings can show and separate
 engine                  all of it in order                        answer/   in the form of the contract
 """
