@@ -4,6 +4,7 @@ import pytest
 
 from torquerig.diagnosis.showing.effect_at_sensor import EffectAtSensor
 from torquerig.reporting.diagnosis.page_answer import diagnosis_answer
+from torquerig.reporting.diagnosis.sentences import fact_text
 
 FIT = {"before": {"heldout_misfit": 4.0, "nominal": 5.0}, "after": {"heldout_misfit": 0.9}}
 MESH = {"mechanism": "gear_mesh", "confidence": 0.97, "equivalent_to": [], "next_experiment": None, "parameters": {}}
@@ -76,3 +77,8 @@ def test_many_findings_are_counted():
     assert diagnosis_answer(data("missing_physics", *many), EFFECT, percent=False).sentences[0] == (
         "The model lacks a, b, c and 2 more."
     )
+
+
+def test_a_wrong_number_is_called_by_its_name_and_another_fact_by_its_kind():
+    assert fact_text({"kind": "parameter", "of": "motor.inertia"}) == "motor.inertia"
+    assert fact_text({"kind": "sensor_scale", "of": "flange"}) == "sensor scale of flange"

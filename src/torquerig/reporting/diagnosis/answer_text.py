@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from torquerig.plain_table import cut, wrapped
-from torquerig.reporting.diagnosis.sentences import mechanism_text
+from torquerig.reporting.diagnosis.sentences import fact_text, mechanism_text
 from torquerig.reporting.layout import plain
 
 MOST_LINES = 15  # of the answer, so that it fits into a small terminal without scrolling
@@ -60,10 +60,7 @@ def _residual(data: Mapping[str, Any]) -> str:
 def _details(data: Mapping[str, Any]) -> Iterator[str]:
     for one in data.get("setup", ()):
         value = one["estimated"]
-        yield (
-            f"- {mechanism_text(one['kind'])} of {one['of']}: stated {one['stated']}, estimated {_value(value)}; "
-            f"{_sure(one)} sure"
-        )
+        yield (f"- {fact_text(one)}: stated {one['stated']}, estimated {_value(value)}; {_sure(one)} sure")
     for one in data["findings"]:
         parameters = ", ".join(f"{name} {_value(value)}" for name, value in one["parameters"].items())
         yield f"- {mechanism_text(one['mechanism'])}, {_sure(one)} sure: {parameters or 'no parameter'}"

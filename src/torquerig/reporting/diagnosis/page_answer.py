@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from torquerig.diagnosis.showing.effect_at_sensor import EffectAtSensor
-from torquerig.reporting.diagnosis.sentences import mechanism_text
+from torquerig.reporting.diagnosis.sentences import fact_text, mechanism_text
 from torquerig.reporting.layout import plain
 from torquerig.study.answer.what_to_do import LargeFigure
 
@@ -69,8 +69,7 @@ def _missing(data: Mapping[str, Any]) -> str:
     if verdict == "setup_error":
         first = data["setup"][0]
         right = _number(first["estimated"])
-        kind = mechanism_text(first["kind"])
-        return f"A set-up fact is wrong: {kind} of {first['of']} is {right}, stated is {first['stated']}."
+        return f"A set-up fact is wrong: {fact_text(first)} is {right}, stated is {first['stated']}."
     if not names:
         return "Something is missing that no mechanism of the library explains."
     rest = "" if verdict == "missing_physics" else " Something more is missing that no mechanism explains."
@@ -110,7 +109,7 @@ def _sure(data: Mapping[str, Any]) -> str:
     if not listed:
         return "How sure: the residual on held-out data and the limits are below."
     first = listed[0]
-    name = mechanism_text(first.get("mechanism") or first["kind"])
+    name = _named_first(first)
     alike = [mechanism_text(one) for one in first["equivalent_to"]]
     doubt = f"; these recordings do not distinguish it from {_listed(alike)}" if alike else ""
     return f"How sure: {100 * first['confidence']:.0f} % for {name}{doubt}."
@@ -140,8 +139,13 @@ def _sure_figure(data: Mapping[str, Any]) -> LargeFigure:
     listed = [*data.get("setup", ()), *data["findings"]]
     if not listed:
         return LargeFigure(name="findings", value="0", note=str(data["verdict"]).replace("_", " "))
-    value, name = listed[0]["confidence"], listed[0].get("mechanism") or listed[0]["kind"]
-    return LargeFigure(name="confidence", value=f"{100 * value:.0f} %", note=f"that it is {mechanism_text(name)}")
+    value, name = listed[0]["confidence"], _named_first(listed[0])
+    return LargeFigure(name="confidence", value=f"{100 * value:.0f} %", note=f"that it is {name}")
+
+
+def _named_first(one: Mapping[str, Any]) -> str:
+    """Return the name of a finding, or what fact of the set-up is wrong."""
+    return mechanism_text(one["mechanism"]) if "mechanism" in one else fact_text(one)
 
 
 def _residual_figure(data: Mapping[str, Any], *, percent: bool) -> LargeFigure:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from torquerig.diagnosis.outcome import Diagnosis, Finding, Mismatch
 from torquerig.reporting.layout import plain
@@ -59,6 +60,11 @@ MOTION_RESIDUAL = ResidualMeasure(
 def mechanism_text(name: str) -> str:
     """Return a mechanism's name without underscores."""
     return name.replace("_", " ")
+
+
+def fact_text(fact: Mapping[str, Any]) -> str:
+    """Return what a wrong fact of the set-up is: a number of a part by its name, else the kind and what it is of."""
+    return str(fact["of"]) if fact["kind"] == "parameter" else f"{mechanism_text(fact['kind'])} of {fact['of']}"
 
 
 def verdict_sentence(

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from torquerig.diagnosis.outcome import Mismatch
-from torquerig.reporting.diagnosis.sentences import FEATURE_RESIDUAL, mechanism_text, place_text
+from torquerig.reporting.diagnosis.sentences import FEATURE_RESIDUAL, fact_text, mechanism_text, place_text
 from torquerig.reporting.layout import plain
 
 
@@ -19,7 +19,7 @@ def verdict_of(data: Mapping[str, Any]) -> str:
         return f"No physics is missing that these recordings can show. The {name} is {after}. A true model has about 1."
     change = f"stays at {after}" if before == after else f"changes from {before} to {after}"
     if verdict == "setup_error":
-        wrong = " and ".join(f"{mechanism_text(one['kind'])} of {one['of']}" for one in data["setup"])
+        wrong = " and ".join(fact_text(one) for one in data["setup"])
         return (
             f"A fact of the set-up is wrong: {wrong}. With it corrected, the {name} {change}. A true model has about 1."
         )
