@@ -63,6 +63,7 @@ def test_a_missing_line_is_an_error_of_its_rms():
         line_power=nothing, line_slope=nothing, line_range=nothing, density=white, load_share=white,
         level=levels + 2.0, level_covariance=np.diag(levels), slow_load=np.diag(levels), level_rate=levels,
         level_range=levels, near_lines=nothing, near_bands=np.zeros(white.shape),
+        line_beat=nothing,
     )  # fmt: skip
     found = np.sqrt(mean_square(seen, model))
     # the line has 0.354 N m rms; spectra of some bins scatter by a tenth of the noise of 0.1 N m

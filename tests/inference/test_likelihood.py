@@ -5,11 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.inference.drawn_runs import drawn_run, steady
+from tests.inference.drawn_runs import drawn_run, ramp, steady
 from torquerig.inference.adequacy import excesses
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE, Residuals
-from torquerig.inference.prediction.slow_torque import covariance, of_lines
+from torquerig.inference.prediction.line_features import beat_variance
+from torquerig.inference.prediction.slow_lines import UnshownLines, covariance_of_lines
+from torquerig.inference.prediction.slow_torque import covariance
 
 
 def test_white_noise_leaves_half_its_density_over_the_length_in_each_mean():
@@ -22,8 +24,33 @@ def test_white_noise_leaves_half_its_density_over_the_length_in_each_mean():
 
 def test_a_slow_line_moves_neighbouring_means_together():
     seen = run_features(drawn_run(1, speed=steady(1000)), [])
-    found = of_lines(seen, np.array([0.01]), np.array([0.5]))
+    found = covariance_of_lines(seen, UnshownLines(np.array([0.01]), np.array([[0.5]]), follows=False))
     assert found[0, 1] == pytest.approx(0.5, rel=0.01)
+
+
+@pytest.mark.parametrize("course", [ramp(600), steady(60), np.concatenate([ramp(600), -ramp(600)[::-1]])])
+def test_a_slow_order_has_one_phase_in_all_mean_torques(course):
+    drawn = [drawn_run(seed, speed=course, orders={0.2: 0.1}, noise=0.0) for seed in range(60)]
+    seen = run_features(drawn[0], [])
+    square = np.full((1, len(seen.segments)), 0.5 * 0.1**2)
+    expected = covariance_of_lines(seen, UnshownLines(np.array([0.2]), square, follows=True))
+    levels = np.array([run_features(run, []).level for run in drawn]) - 1.0
+    # the phase is drawn anew in each run: 60 of them scatter the covariance by some 0.5 / sqrt(60) of its largest value
+    assert np.abs(levels.T @ levels / 60 - expected).max() < 0.25 * expected.max()
+
+
+def test_means_of_a_block_that_shows_a_line_are_without_it():
+    seen = run_features(drawn_run(1, speed=steady(1000), orders={1.0: 0.3}), [])
+    none = UnshownLines(np.array([1.0]), np.zeros((1, 1)), follows=True)
+    assert not covariance_of_lines(seen, none).any()
+
+
+@pytest.mark.parametrize("ratio", [0.02, 0.3, 0.9])
+def test_two_lines_in_one_place_beat(ratio):
+    phase = np.random.default_rng(2).uniform(0, 2 * np.pi, 200_000)
+    power = np.abs(1 + np.sqrt(ratio) * np.exp(1j * phase)) ** 2
+    found = beat_variance(np.array([[1 + ratio]]), np.array([[1.0]]), np.array([[1.0]]))
+    assert found[0, 0] == pytest.approx(np.log(power).var(), rel=0.02)
 
 
 def drawn(rng, *, odd: float = 0.0) -> Residuals:

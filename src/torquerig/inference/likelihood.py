@@ -136,7 +136,8 @@ def _lines(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals
     sampling = (2 * power * noise + noise**2) / (count * total**2)
     modulated = np.log1p(off.modulation**2 * model.near_lines[shown] / total)
     bent = np.hypot(np.hypot(2 * off.line, off.mode * model.line_slope[shown]), _SWEPT * model.line_range[shown])
-    sd = np.sqrt(sampling + (bent * power / total) ** 2 + modulated**2)
+    own = (bent**2 + model.line_beat[shown]) * (power / total) ** 2
+    sd = np.sqrt(sampling + own + modulated**2)
     value = np.log(np.maximum(table.power[shown], _NOTHING) / total)
     return _of(value, sd, LINE, shown)
 

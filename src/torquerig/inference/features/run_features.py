@@ -91,6 +91,15 @@ class RunFeatures:
         return np.asarray(0.5 * self.parts.sum(axis=1) / self.run.rate)
 
     @cached_property
+    def level_segment(self) -> NDArray[np.intp]:
+        """Segment that holds each part, shape (levels,); the slowest one where the motor turns back in a block."""
+        answer = np.full(len(self.parts), int(np.argmin(np.abs(self.speed))) if self.segments else -1)
+        for index, segment in enumerate(self.segments):
+            for block in segment.blocks:
+                answer[(self.parts[:, 0] >= block.start) & (self.parts[:, 1] <= block.stop)] = index
+        return answer
+
+    @cached_property
     def level_time_error(self) -> Floats:
         """Standard deviation of the time between torque and speed in each part [s], shape (levels,)."""
         return self.run.time_error(np.abs(self.level_speed).mean(axis=1))

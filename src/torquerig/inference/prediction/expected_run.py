@@ -13,7 +13,8 @@ from torquerig.inference.prediction.kept_twin import level_balance, load_key, lo
 from torquerig.inference.prediction.line_features import line_features
 from torquerig.inference.prediction.measuring_chain import chain_noise, passed_by_logger
 from torquerig.inference.prediction.ringing import ringing_density
-from torquerig.inference.prediction.slow_torque import covariance, of_lines
+from torquerig.inference.prediction.slow_lines import covariance_of_lines
+from torquerig.inference.prediction.slow_torque import covariance
 from torquerig.rig.assembly import Rig
 from torquerig.sensor_stages.drift import Drift
 from torquerig.sensor_stages.scale_and_zero import ScaleAndZero
@@ -54,6 +55,8 @@ class ExpectedRun:
         Density if all lines that may have side lines in a band stood in it [(N m)^2/Hz].
     line_range : ndarray, shape (segments, places)
         Standard deviation of the logarithm of ``line_power`` over the speeds of a segment [1].
+    line_beat : ndarray, shape (segments, places)
+        Variance of the logarithm of ``line_power`` where several lines share a place and beat [1].
     """
 
     line_power: Floats
@@ -68,6 +71,7 @@ class ExpectedRun:
     line_range: Floats
     near_lines: Floats
     near_bands: Floats
+    line_beat: Floats
 
 
 def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
@@ -82,8 +86,8 @@ def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
         "slow", load_key(twin), lambda: covariance(seen, twin.load_power(np.maximum(seen.level_grid, _SLOWEST)))
     )
     spread = slow_load
-    for frequency, square in lines.unshown:
-        spread = spread + of_lines(seen, frequency, square)
+    for each in lines.unshown:
+        spread = spread + covariance_of_lines(seen, each)
     moving = not seen.run.is_steady and seen.level.size > 1
     level = balance.sensor.mean(axis=1) + _zero(twin.rig, seen)
     # parts of held-out blocks are left out between: the steepest slope that the two ends permit
@@ -92,7 +96,7 @@ def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
     own = _range_about_line(balance.sensor)
     density = density + lines.density
     return ExpectedRun(
-        line_power=lines.power, line_slope=lines.slope, line_range=lines.varied, density=density,
+        line_power=lines.power, line_slope=lines.slope, line_range=lines.varied, line_beat=lines.beat, density=density,
         load_share=load / density, level=level, level_covariance=spread, slow_load=slow_load, level_rate=changing,
         level_range=own, near_lines=np.einsum("sp,spq->sq", lines.power, seen.side_places),
         near_bands=np.einsum("sp,spb->sb", 0.5 * lines.power, seen.side_bands) / (seen.bands.high - seen.bands.low),

@@ -7,6 +7,7 @@ from math import pi
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.special import spence
 
 from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.features.run_features import RunFeatures
@@ -14,6 +15,7 @@ from torquerig.inference.prediction.kept_twin import kept_skirts
 from torquerig.inference.prediction.line_routes import line_routes
 from torquerig.inference.prediction.rig_lines import SHIFT, rig_lines
 from torquerig.inference.prediction.skirts import core_of, density_of
+from torquerig.inference.prediction.slow_lines import UnshownLines
 
 Floats = NDArray[np.float64]
 
@@ -28,26 +30,27 @@ class LineFeatures:
 
     Parameters
     ----------
-    power, slope, varied : ndarray, shape (segments, places)
-        As ``line_power``, ``line_slope`` and ``line_range`` of ``ExpectedRun``.
+    power, slope, varied, beat : ndarray, shape (segments, places)
+        As ``line_power``, ``line_slope``, ``line_range`` and ``line_beat`` of ``ExpectedRun``.
     density : ndarray, shape (segments, bands)
         Of lines without a place, and of the skirts of all [(N m)^2/Hz].
-    unshown : tuple of (ndarray, ndarray)
-        Frequencies [Hz] and mean squares [(N m)^2] of lines that are slower than the first band.
+    unshown : tuple of UnshownLines
+        Lines in the segments that have no place for them.
     """
 
     power: Floats
     slope: Floats
     varied: Floats
+    beat: Floats
     density: Floats
-    unshown: tuple[tuple[Floats, Floats], ...]
+    unshown: tuple[UnshownLines, ...]
 
 
 def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
     """Return where the lines of a rig show in the features of a run."""
     count, places = len(seen.segments), len(seen.places)
-    power, moved, varied = (np.zeros((count, places)) for _ in range(3))
-    density, unshown = np.zeros((count, seen.bands.low.size)), list[tuple[Floats, Floats]]()
+    power, moved, varied, strongest = (np.zeros((count, places)) for _ in range(4))
+    density, unshown = np.zeros((count, seen.bands.low.size)), list[UnshownLines]()
     turning = np.maximum(np.abs(seen.speed) / (2 * pi), 1e-12)
     core, excluded = core_of(seen), seen.line_excluded
     for each in rig_lines(twin, seen):
@@ -63,14 +66,27 @@ def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
             density += density_of(skirts, seen, each.frequency, np.where(at | inside, 0.5 * each.square, 0.0), hole)
         for total, values in ((power, each.square), (moved, each.shifted), (varied, each.square * each.varied)):
             np.add.at(total, (row[at], routes.place[at]), (routes.share * kept * values)[at])
+        np.maximum.at(strongest, (row[at], routes.place[at]), (routes.share * kept * each.square)[at])
         without = np.where(inside, 0.5 * kept * each.square, 0.0)
         swept = seen.swept if each.follows else np.ones((count, 2))
         density += _swept_density(seen, each.frequency, without, swept)
-        slow = ~at & (routes.band < 0)
-        if slow.any():
-            unshown.append((each.frequency[slow], 0.5 * each.square[slow] / count))
+        if count and not at.all():
+            orders = (each.frequency / (turning if each.follows else 1.0))[:, 0]
+            unshown.append(UnshownLines(orders, np.where(at, 0.0, 0.5 * each.square), each.follows))
     slope = np.log(np.maximum(moved, _NOTHING) / np.maximum(power, _NOTHING)) / SHIFT * (power > 0)
-    return LineFeatures(power, slope, varied / np.maximum(power, _NOTHING), density, tuple(unshown))
+    beat = beat_variance(power, strongest, seen.lines.count)
+    return LineFeatures(power, slope, varied / np.maximum(power, _NOTHING), beat, density, tuple(unshown))
+
+
+def beat_variance(power: Floats, strongest: Floats, count: Floats) -> Floats:
+    """Return the variance of the logarithm of the power of lines that share a place and are not of one frequency.
+
+    Two phasors of random phase, r the ratio of their powers: ``var ln|1 + sqrt(r) exp(i phi)|^2 = 2 Li2(r)``, Li2 the
+    dilogarithm, by the Fourier series ``2 sum (-1)^(k+1) r^(k/2) cos(k phi) / k``. All but the strongest line count as
+    the second phasor. In each of ``count`` blocks the phase is another one.
+    """
+    ratio = np.clip((power - strongest) / np.maximum(strongest, _NOTHING), 0.0, 1.0)
+    return np.asarray(2 * spence(1 - ratio) / np.maximum(count, 1.0))
 
 
 def _swept_density(seen: RunFeatures, frequency: Floats, power: Floats, swept: Floats) -> Floats:

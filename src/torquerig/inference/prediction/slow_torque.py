@@ -1,11 +1,11 @@
-"""Covariance of the levels of a run: what slow loads and slow lines leave in the means of its parts."""
+"""Covariance of the levels of a run: what slow loads leave in the means of its parts."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.inference.features.run_features import RunFeatures, passed_by_levels
+from torquerig.inference.features.run_features import RunFeatures
 
 Floats = NDArray[np.float64]
 
@@ -25,9 +25,3 @@ def _covariance(seen: RunFeatures, density: Floats) -> Floats:
     weighted = np.concatenate([passed.real, passed.imag], axis=1)
     weighted *= np.tile(np.sqrt(density * np.gradient(seen.level_grid)), 2)
     return np.asarray(weighted @ weighted.T)
-
-
-def of_lines(seen: RunFeatures, frequency: Floats, power: Floats) -> Floats:
-    """Return the same of lines of random phase at ``frequency`` [Hz], of mean square ``power`` [(N m)^2] each."""
-    passed = seen.kept.get("passed", frequency.tobytes(), lambda: passed_by_levels(seen, frequency))
-    return np.asarray(((passed * power) @ passed.conj().T).real)

@@ -1,0 +1,82 @@
+"""Slow lines in the mean torques: what a line leaves there where a block has too few of its periods to remove it.
+
+A line of order n with the amplitude A and an unknown phase p moves the mean of part i by ``A_i Re(exp(i p) G_i)``,
+``G_i`` the mean of ``exp(i n theta)`` over the part. The angle is that of the run, so all parts have one phase also
+where the speed changes. The covariance of two means is then ``(1/2) A_i A_j Re(G_i conj(G_j))``, times
+``exp(-(n e_ij)^2 / 2)`` where the angle between the parts is uncertain by ``e_ij``. A tone has ``2 pi f t`` for
+``n theta``. The lag of the response is taken to be the same in all parts: a line that moves a mean is far below the
+first mode of its rig.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.inference.features.run_features import RunFeatures
+
+Floats = NDArray[np.float64]
+
+_POINTS = 48  # of a part
+_MOST_PERIODS = 6.0  # in a part: the mean of a faster line is below 3 % of its amplitude
+_NOTHING = 1e-4  # [1] of the mean square of a line: a smaller share moves no mean
+
+
+@dataclass(frozen=True, eq=False)
+class UnshownLines:
+    """Lines in the segments that do not show them at a place.
+
+    Parameters
+    ----------
+    at : ndarray, shape (lines,)
+        Orders of the motor [1/rev], or frequencies [Hz].
+    square : ndarray, shape (lines, segments)
+        Mean squares [(N m)^2]; 0 in a segment that shows the line, where the mean torque is without it.
+    follows : bool
+        Whether ``at`` are orders.
+    """
+
+    at: Floats
+    square: Floats
+    follows: bool
+
+
+def covariance_of_lines(seen: RunFeatures, lines: UnshownLines) -> Floats:
+    """Return the covariance that lines leave in the levels of a run [(N m)^2], shape (levels, levels)."""
+    rows, shared = seen.kept.get("slow lines", (lines.follows, lines.at.tobytes()), lambda: _shared(seen, lines))
+    size = np.sqrt(2 * lines.square[rows][:, seen.level_segment])
+    return np.asarray((size[:, :, None] * shared * size[:, None, :]).sum(axis=0))
+
+
+def _shared(seen: RunFeatures, lines: UnshownLines) -> tuple[NDArray[np.intp], Floats]:
+    """Return the lines that move a mean, and their covariance at the amplitude 1, shape (lines, levels, levels)."""
+    phase, uncertain = _phases(seen, follows=lines.follows)
+    turned = lines.at[:, None] * np.ptp(phase, axis=1) / (2 * pi)
+    slow = (turned < _MOST_PERIODS).any(axis=1)
+    mean = np.exp(1j * lines.at[slow, None, None] * phase).mean(axis=2)
+    mean[turned[slow] >= _MOST_PERIODS] = 0.0
+    known = np.exp(-0.5 * np.square(lines.at[slow, None, None] * uncertain))
+    shared = 0.5 * (mean[:, :, None] * mean.conj()[:, None, :]).real * known
+    moves = np.einsum("lii->li", shared).max(axis=1, initial=0.0) > _NOTHING
+    return np.flatnonzero(slow)[moves], np.asarray(shared[moves])
+
+
+def _phases(seen: RunFeatures, *, follows: bool) -> tuple[Floats, Floats]:
+    """Return the phase of a line of the order or frequency 1 in each part [rad], shape (levels, points), and its error.
+
+    The error is the standard deviation of the difference between two parts [rad], shape (levels, levels).
+    """
+    run, parts = seen.run, seen.parts
+    share = (np.arange(_POINTS) + 0.5) / _POINTS
+    at = parts[:, :1] + share * (parts[:, 1:] - parts[:, :1])
+    if not follows:
+        return np.asarray(2 * pi * at / run.rate, dtype=np.float64), np.zeros((len(parts), len(parts)))
+    samples = np.arange(run.angle.size)
+    travelled = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(run.angle)))])
+    path = np.interp(at.mean(axis=1), samples, travelled)
+    smeared = run.smearing(slice(int(parts[:, 0].min()), int(parts[:, 1].max())))
+    turned = np.asarray(np.interp(at, samples, run.angle), dtype=np.float64)
+    return turned, np.asarray(smeared * np.abs(path[:, None] - path[None]))
