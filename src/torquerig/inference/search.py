@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnosis.fitting.knobs import turned
+from torquerig.diagnosis.side_by_side import of_each
 from torquerig.errors import TorquerigError
 from torquerig.inference.addition import Addition
 from torquerig.inference.additions import proposals
@@ -91,7 +92,7 @@ def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple
     screened = sorted(((*_screened(context, each), each) for each in free), key=lambda one: -one[0])
     tried = tuple((each, gain) for gain, _, each in screened)
     slack = -log_prior(model.fit.off)  # that an addition gets back when it makes the discrepancy smaller
-    fits = [*_fitted(model, data, [(each, start) for gain, start, each in screened if gain > -slack])]
+    fits = _fitted(model, data, [(each, start) for gain, start, each in screened if gain > -slack])
     before = held_out_density(model.fit, held)
     winners = [
         one for one in fits
@@ -127,9 +128,9 @@ def _compared(fit: Fit, each: Addition, held: Data, before: float) -> float:
     return held_out_density(replace(fit, positions=fit.positions * np.array(near)), held)
 
 
-def _fitted(model: Model, data: Data, screened: Sequence[tuple[Addition, tuple[float, ...]]]) -> Iterator[Model]:
-    """Yield the first of the screened additions fitted together with the model, one of each kind and place."""
-    kinds = list[tuple[object, ...]]()
+def _fitted(model: Model, data: Data, screened: Sequence[tuple[Addition, tuple[float, ...]]]) -> list[Model]:
+    """Return the first of the screened additions fitted together with the model, one of each kind and place."""
+    kinds: dict[tuple[object, ...], tuple[Addition, tuple[float, ...]]] = {}
     for each, start in screened:
         kind = (
             each.mechanism or each.kind,
@@ -137,13 +138,10 @@ def _fitted(model: Model, data: Data, screened: Sequence[tuple[Addition, tuple[f
             each.places,
             *(getattr(part, "at", "") for part in each.parts),
         )
-        if len(kinds) == FITTED:
-            return
-        if kind not in kinds:
-            kinds.append(kind)
-            together = _together(model, data, each, start)
-            if together is not None:
-                yield together
+        if len(kinds) < FITTED:
+            kinds.setdefault(kind, (each, start))
+    fits = of_each(lambda one: _together(model, data, *one), list(kinds.values()))
+    return [together for together in fits if together is not None]
 
 
 def _screened(context: Context, each: Addition) -> tuple[float, tuple[float, ...]]:

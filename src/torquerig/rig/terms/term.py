@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from typing import NamedTuple
 
 
@@ -20,13 +19,17 @@ class ShaftMotion(NamedTuple):
     load_share: float
 
 
-class Term(ABC):
-    """One piece of physics; ``simulation/term_kinds/`` says how it is simulated."""
+class Term:
+    """One piece of physics; ``simulation/term_kinds/`` says how it is simulated.
+
+    No abstract base class of Python: a fit asks for the kind of terms a million times, which takes those ten times as
+    long.
+    """
 
     @property
-    @abstractmethod
     def nodes(self) -> tuple[str, ...]:
         """The nodes that it names; each must carry an inertia, or be the ground."""
+        raise NotImplementedError
 
     def needed_torque(self, node: str, motion: ShaftMotion) -> float:
         """Return the mean torque [N m] in its positive direction that it needs of ``node``; none for most."""
