@@ -8,10 +8,19 @@ import pytest
 from tests.inference.drawn_runs import drawn_run, ramp, steady
 from torquerig.inference.adequacy import excesses
 from torquerig.inference.features.run_features import run_features
-from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE, Residuals
+from torquerig.inference.likelihood import (
+    BAND,
+    DEGREES_OF_FREEDOM,
+    LEVEL,
+    LINE,
+    Residuals,
+    _of_logarithm,
+    _with_common_factor,
+)
 from torquerig.inference.prediction.line_features import beat_variance
 from torquerig.inference.prediction.slow_lines import UnshownLines, covariance_of_lines
 from torquerig.inference.prediction.slow_torque import covariance
+from torquerig.mechanisms.particle_load import ParticleProcess
 
 
 def test_white_noise_leaves_half_its_density_over_the_length_in_each_mean():
@@ -51,6 +60,38 @@ def test_two_lines_in_one_place_beat(ratio):
     power = np.abs(1 + np.sqrt(ratio) * np.exp(1j * phase)) ** 2
     found = beat_variance(np.array([[1 + ratio]]), np.array([[1.0]]), np.array([[1.0]]))
     assert found[0, 0] == pytest.approx(np.log(power).var(), rel=0.02)
+
+
+@pytest.mark.parametrize("count", [1.0, 3.0, 40.0])
+def test_the_logarithm_of_a_mean_of_few_powers(count):
+    powers = np.random.default_rng(3).gamma(count, 1 / count, 200_000)
+    variance, lower = _of_logarithm(np.array([count]))
+    assert np.log(powers).var() == pytest.approx(variance[0], rel=0.03)
+    assert np.log(powers).mean() == pytest.approx(-lower[0], abs=0.01)
+
+
+@pytest.mark.parametrize(("rate", "shape"), [(20.0, 1.5), (60.0, 4.0)])
+def test_few_hits_scatter_the_power_of_all_bands_together(rate, shape):
+    process = ParticleProcess(
+        mean=1.0, rate=rate, decay=1e-3, shape=shape, hit_rms=1e-3, slow_rms=0.0, slow_cutoff=1.0
+    )  # fmt: skip
+    rng, duration = np.random.default_rng(4), 4.0
+    spectra = np.array([np.abs(np.fft.rfft(process.sample(4000, 1000.0, rng) - 1.0)[8:1600]) ** 2 for _ in range(500)])
+    low, high = (np.log(half.mean(axis=1)) for half in np.array_split(spectra, 2, axis=1))
+    assert np.cov(low, high)[0, 1] == pytest.approx(process.clumping / duration, rel=0.3)
+
+
+def test_residuals_with_a_common_factor_become_independent():
+    rng, shown = np.random.default_rng(5), np.ones((2, 30), dtype=bool)
+    common, sd = np.full(shown.shape, 0.4), rng.uniform(0.1, 0.5, shown.size)
+    made = [_with_common_factor(
+        sd * rng.standard_normal(shown.size) + 0.4 * np.repeat(rng.standard_normal(2), 30), sd, common, shown
+    ) for _ in range(2000)]  # fmt: skip
+    z = np.array([value / wider for value, wider in made])
+    assert np.cov(z.T) == pytest.approx(np.eye(shown.size), abs=0.12)
+    # the determinant of the covariance of a segment is in the standard deviations
+    square = np.square(0.4 / sd[:30]).sum()
+    assert np.log(made[0][1][:30] / sd[:30]).sum() == pytest.approx(0.5 * np.log1p(square))
 
 
 def drawn(rng, *, odd: float = 0.0) -> Residuals:

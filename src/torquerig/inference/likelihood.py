@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import cholesky, solve_triangular
+from scipy.special import digamma, polygamma
 
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.prediction.expected_run import ExpectedRun
@@ -20,6 +21,7 @@ from torquerig.inference.prediction.expected_run import ExpectedRun
 Floats = NDArray[np.float64]
 
 DEGREES_OF_FREEDOM = 8.0  # of Student's distribution: one odd feature in a hundred does not decide
+_LARGE_COUNT = 1e12  # of a line without noise
 _NOTHING = 1e-300  # keeps logarithms finite
 _SINGULAR = 1e-12  # of the square of the largest level: no mean of samples is known to better
 _WITHIN = 12**-0.5  # of a range: standard deviation of where in it something is
@@ -133,12 +135,12 @@ def _lines(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals
     noise = (table.noise_bandwidth * floor_density(seen, model))[shown]
     power, count = model.line_power[shown], table.count[shown]
     total = np.maximum(power + noise, _NOTHING)
-    sampling = (2 * power * noise + noise**2) / (count * total**2)
+    scatter, lower = _of_logarithm(count * total**2 / np.maximum(2 * power * noise + noise**2, _NOTHING))
     modulated = np.log1p(off.modulation**2 * model.near_lines[shown] / total)
     bent = np.hypot(np.hypot(2 * off.line, off.mode * model.line_slope[shown]), _SWEPT * model.line_range[shown])
     own = (bent**2 + model.line_beat[shown]) * (power / total) ** 2
-    sd = np.sqrt(sampling + own + modulated**2)
-    value = np.log(np.maximum(table.power[shown], _NOTHING) / total)
+    sd = np.sqrt(scatter + own + modulated**2)
+    value = np.log(np.maximum(table.power[shown], _NOTHING) / total) + lower
     return _of(value, sd, LINE, shown)
 
 
@@ -146,12 +148,37 @@ def _bands(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals
     shown = np.isfinite(seen.band_power) & (seen.band_count >= 1)
     density = np.log(np.maximum(model.density, _NOTHING))
     slope = np.gradient(density, np.log(seen.bands.middle), axis=1)[shown]
-    count = seen.band_count[shown]
+    scatter, lower = _of_logarithm(seen.band_count[shown])
     modulated = np.log1p(off.modulation**2 * model.near_bands[shown] / np.maximum(model.density[shown], _NOTHING))
-    sd = np.sqrt(1 / count + off.band**2 + (off.mode * slope) ** 2 + modulated**2)
-    # the mean of the logarithm of a chi-square mean is lower than the logarithm of its mean, by 1/(2 count)
-    value = np.log(np.maximum(seen.band_power[shown], _NOTHING)) - density[shown] + 0.5 / count
-    return _of(value, sd, BAND, shown)
+    sd = np.sqrt(scatter + off.band**2 + (off.mode * slope) ** 2 + modulated**2)
+    value = np.log(np.maximum(seen.band_power[shown], _NOTHING)) - density[shown] + lower
+    louder = np.sqrt(model.load_clumping / seen.segment_time)[:, None] * model.load_share
+    return _of(*_with_common_factor(value, sd, louder, shown), BAND, shown)
+
+
+def _of_logarithm(count: Floats) -> tuple[Floats, Floats]:
+    """Return the variance of the logarithm of a mean of so many powers of noise, and by how much its mean is lower.
+
+    The mean of n exponential variates is a gamma variate of the shape n. Its logarithm has the variance ``psi'(n)``,
+    and a mean that is lower by ``ln n - psi(n)`` (Johnson, Kotz & Balakrishnan 1994, 17.8).
+    """
+    most = np.minimum(count, _LARGE_COUNT)
+    return np.asarray(polygamma(1, most)), np.asarray(np.log(most) - digamma(most))
+
+
+def _with_common_factor(value: Floats, sd: Floats, common: Floats, shown: NDArray[np.bool_]) -> tuple[Floats, Floats]:
+    """Return residuals and standard deviations made independent where those of a segment share a random factor.
+
+    ``common`` is its standard deviation in each residual, shape (segments, bands). With a and z the standardised factor
+    and residuals of a segment, ``C = I + a a'``: z becomes ``C^-1/2 z``, and ``ln det C`` is shared among all sd.
+    """
+    z, a = np.zeros(shown.shape), np.zeros(shown.shape)
+    z[shown], a[shown] = value / sd, common[shown] / sd
+    square, count = np.square(a).sum(axis=1, keepdims=True), np.maximum(shown.sum(axis=1, keepdims=True), 1)
+    along = (a * z).sum(axis=1, keepdims=True) / np.maximum(square, _NOTHING)
+    white = z + a * along * (1 / np.sqrt(1 + square) - 1)
+    wider = sd * np.broadcast_to(np.exp(0.5 * np.log1p(square) / count), shown.shape)[shown]
+    return white[shown] * wider, wider
 
 
 def _levels(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals:

@@ -110,6 +110,15 @@ class ParticleProcess:
         slow = self.slow_rms * low_passed_noise(count, rate, self.slow_cutoff, rng)
         return np.asarray(np.maximum(0.0, self.mean * (1 + hits + slow)))
 
+    @property
+    def clumping(self) -> float:
+        """Variance that few hits leave in the logarithm of the power in a time T, times T [s].
+
+        ``E[a^4] / (r E[a^2]^2)``, from the fourth cumulant of shot noise of the rate r (Campbell's theorem); it is
+        common to all frequencies.
+        """
+        return (self.shape + 2) * (self.shape + 3) / (self.shape * (self.shape + 1) * self.rate)
+
     def density(self, frequencies: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the one-sided spectral density [(N m)^2/Hz] at ``frequencies`` [Hz], the mean left out.
 

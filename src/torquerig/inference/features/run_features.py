@@ -166,6 +166,11 @@ class RunFeatures:
         return sum(lengths) / len(lengths) / self.run.rate
 
     @cached_property
+    def segment_time(self) -> Floats:
+        """Length of all blocks of each segment together [s], shape (segments,)."""
+        return np.asarray(self.durations * np.array([len(segment.blocks) for segment in self.segments]))
+
+    @cached_property
     def bands(self) -> Bands:
         """The bands of the first segment, whose edges are those of all."""
         return self.segments[0].bands

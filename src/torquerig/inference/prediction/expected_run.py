@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.features.run_features import RunFeatures
-from torquerig.inference.prediction.kept_twin import level_balance, load_key, loads_of
+from torquerig.inference.prediction.kept_twin import clumping_of, level_balance, load_key, loads_of
 from torquerig.inference.prediction.line_features import line_features
 from torquerig.inference.prediction.measuring_chain import chain_noise, passed_by_logger
 from torquerig.inference.prediction.ringing import ringing_density
@@ -57,6 +57,8 @@ class ExpectedRun:
         Standard deviation of the logarithm of ``line_power`` over the speeds of a segment [1].
     line_beat : ndarray, shape (segments, places)
         Variance of the logarithm of ``line_power`` where several lines share a place and beat [1].
+    load_clumping : float
+        Variance of the logarithm of a load's power in a time T, common to all bands, times T [s].
     """
 
     line_power: Floats
@@ -72,6 +74,7 @@ class ExpectedRun:
     near_lines: Floats
     near_bands: Floats
     line_beat: Floats
+    load_clumping: float = 0.0
 
 
 def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
@@ -98,7 +101,8 @@ def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
     return ExpectedRun(
         line_power=lines.power, line_slope=lines.slope, line_range=lines.varied, line_beat=lines.beat, density=density,
         load_share=load / density, level=level, level_covariance=spread, slow_load=slow_load, level_rate=changing,
-        level_range=own, near_lines=np.einsum("sp,spq->sq", lines.power, seen.side_places),
+        load_clumping=clumping_of(twin.rig), level_range=own,
+        near_lines=np.einsum("sp,spq->sq", lines.power, seen.side_places),
         near_bands=np.einsum("sp,spb->sb", 0.5 * lines.power, seen.side_bands) / (seen.bands.high - seen.bands.low),
     )  # fmt: skip
 

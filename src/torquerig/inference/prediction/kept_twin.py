@@ -22,6 +22,11 @@ def loads_of(rig: Rig) -> tuple[Load, ...]:
     return tuple(term for term in rig.terms() if isinstance(term, Load))
 
 
+def clumping_of(rig: Rig) -> float:
+    """Return the variance that few hits of its loads leave in the logarithm of the power in a time T, times T [s]."""
+    return max((float(getattr(load.process, "clumping", 0.0)) for load in loads_of(rig)), default=0.0)
+
+
 def load_key(twin: Twin) -> tuple[Hashable, ...]:
     """Return all that the density depends on which random loads make in the reading."""
     return twin.shafts, twin.cutoff, twin.scale, loads_of(twin.rig)
