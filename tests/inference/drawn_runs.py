@@ -34,7 +34,7 @@ def drawn_run(
     channel = Channel(values=torque, quantity="torque", unit="V")
     return MeasuredRun(
         recording=Recording(sample_rate=rate, channels={"torque_V": channel}, run=run, name=name), torque=torque,
-        angle=angle, speed=speed, has_encoder=True, speed_factor=1.0, blocks=blocks_of(speed, rate),
+        angle=angle, speed=speed, has_encoder=True, speed_factor=1.0, blocks=blocks_of(speed),
     )  # fmt: skip
 
 

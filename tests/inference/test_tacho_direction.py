@@ -22,9 +22,9 @@ def test_a_shaft_turns_back_where_it_is_slowest(late):
     speed = 100 * np.sin(4 * np.pi * (TIME - late) / 16) * (late < TIME)
     true = np.concatenate([[0.0], np.cumsum(speed[:-1]) / RATE])
     # a mean over 20 ms finds the turn to 10 ms, in which the shaft moves by 4 mrad
-    assert np.abs(directed(counted(speed), set_point, RATE) - true).max() < 0.02
+    assert np.abs(directed(counted(speed), set_point) - true).max() < 0.02
 
 
 def test_a_shaft_that_turns_backwards_counts_downwards():
     speed = np.full(TIME.size, -50.0)
-    assert directed(counted(speed), speed, RATE)[-1] == pytest.approx(-50.0 * TIME[-1])
+    assert directed(counted(speed), speed)[-1] == pytest.approx(-50.0 * TIME[-1])

@@ -111,7 +111,7 @@ def _counts(size: Floats, segment: NDArray[np.intp], is_odd: NDArray[np.bool_], 
 
 def _sizes(seen: RunFeatures, each: Residuals) -> Floats:
     """Return how large what is left is in the reading [N m] rms, shape (features,)."""
-    size = np.abs(each.value)  # of levels
+    size = seen.largest_level * np.abs(each.value)  # of levels
     line, band = each.kind == LINE, each.kind == BAND
     measured = seen.lines.power[each.segment[line], each.at[line]]
     size[line] = np.sqrt(0.5 * measured * np.abs(-np.expm1(-each.value[line])))

@@ -12,7 +12,7 @@ Floats = NDArray[np.float64]
 
 SPEED_RANGE = 0.08  # [1] of the speed: a transfer function hardly changes over so little
 STANDSTILL = 0.01  # [1] of the largest speed of the run: a slower motor is taken to stand still
-SHORTEST = 0.25  # [s] a line of 10 Hz still has two periods in it
+MOST_SWEPT = 48  # of a run whose speed changes: in blocks an eighth as long as those at one speed a band still has bins
 MOST = 6  # blocks of a run at one speed: long enough to separate neighbouring lines, a third of them held out
 
 
@@ -30,16 +30,16 @@ class Block:
         return slice(self.start, self.stop)
 
 
-def blocks_of(speed: Floats, rate: float) -> tuple[Block, ...]:
-    """Return the blocks of a run whose motor turns at ``speed`` [rad/s], shape (samples,); ``rate`` is in [Hz].
+def blocks_of(speed: Floats) -> tuple[Block, ...]:
+    """Return the blocks of a run whose motor turns at ``speed`` [rad/s], shape (samples,).
 
-    A block ends where the speed has changed by the share ``SPEED_RANGE``, but is never shorter than ``SHORTEST``; of a
-    run at one speed there are ``MOST``. Every third block is held out: whatever changes during a
-    run is then in fitted and in held-out blocks alike.
+    A block ends where the speed has changed by the share ``SPEED_RANGE``, but there are no more than ``MOST_SWEPT``; of
+    a run at one speed there are ``MOST``. Every third block is held out: whatever changes during a run is then in
+    fitted and in held-out blocks alike.
     """
     size = speed.size
     longest = max(int(np.ceil(size / MOST)), 1)
-    shortest = min(max(int(SHORTEST * rate), 2), longest)
+    shortest = min(max(size // MOST_SWEPT, 2), longest)
     least = STANDSTILL * max(float(np.abs(speed).max(initial=0.0)), 1e-12)
     coarse = max(shortest // 8, 1)
     edges, low, high = [0], float("inf"), -float("inf")

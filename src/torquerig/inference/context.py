@@ -66,7 +66,7 @@ class Context:
     @cached_property
     def largest_level(self) -> float:
         """Largest mean torque of a part of a run [N m], without sign."""
-        return max(float(np.abs(seen.level).max(initial=0.0)) for seen in self.data.seen)
+        return max(seen.largest_level for seen in self.data.seen)
 
     @cached_property
     def resolution(self) -> float:

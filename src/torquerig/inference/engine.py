@@ -174,4 +174,4 @@ def with_held_out(runs: Sequence[MeasuredRun], names: Sequence[str]) -> tuple[Me
 def features_of(runs: Sequence[MeasuredRun], places: Sequence[Place], *, held_out: bool = False) -> Data:
     """Return the features of the fitted or the held-out blocks of all runs that have such blocks."""
     rows = [row for row, run in enumerate(runs) if any(block.held_out == held_out for block in run.blocks)]
-    return Data.of([run_features(runs[row], places, held_out=held_out) for row in rows], rows=rows, runs=len(runs))
+    return Data.of([run_features(runs[row], places, held_out=held_out) for row in rows], rows=rows, runs=runs)

@@ -14,6 +14,7 @@ from torquerig.inference.discrepancy import estimated, is_near, log_prior
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.likelihood import Discrepancy, Residuals, log_density, residuals, weights
 from torquerig.inference.load_spectrum import GainShapes, gain_shapes, with_gains
+from torquerig.inference.measured_run import MeasuredRun
 from torquerig.inference.moved_gain import values_with_moved_gain
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
 from torquerig.rig.assembly import Rig
@@ -92,10 +93,10 @@ class Data:
     shapes: tuple[GainShapes, ...]
 
     @staticmethod
-    def of(seen: Sequence[RunFeatures], *, rows: Sequence[int] | None = None, runs: int | None = None) -> Data:
+    def of(seen: Sequence[RunFeatures], *, rows: Sequence[int] | None = None, runs: Sequence[MeasuredRun] = ()) -> Data:
         """Return the data of the features of all runs, or of those with the numbers ``rows`` among ``runs``."""
-        numbers, count = range(len(seen)) if rows is None else rows, len(seen) if runs is None else runs
-        shapes = [gain_shapes(each, run=row, runs=count) for row, each in zip(numbers, seen, strict=True)]
+        numbers, all_runs = range(len(seen)) if rows is None else rows, runs or [each.run for each in seen]
+        shapes = [gain_shapes(each, run=row, runs=all_runs) for row, each in zip(numbers, seen, strict=True)]
         return Data(tuple(seen), tuple(shapes))
 
 

@@ -66,7 +66,7 @@ class Residuals:
     ----------
     value, sd : ndarray, shape (features,)
         Residual and its standard deviation: of lines and bands of the logarithm of the power [1], of levels of the
-        whitened torque [N m].
+        whitened torque, relative to the largest level of the run [1].
     kind : ndarray of int, shape (features,)
         ``LINE``, ``BAND`` or ``LEVEL``.
     at : ndarray, shape (features,)
@@ -182,7 +182,7 @@ def _with_common_factor(value: Floats, sd: Floats, common: Floats, shown: NDArra
 
 
 def _levels(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals:
-    largest = float(np.abs(seen.level).max(initial=0.0))
+    largest = seen.largest_level
     parts = (off.level_floor * largest, off.level * model.level, seen.level_time_error * model.level_rate,
              _WITHIN * model.level_range)  # fmt: skip
     own = np.zeros(seen.level.size) + sum(np.square(part) for part in parts)
@@ -190,7 +190,7 @@ def _levels(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residual
     root = cholesky(model.level_covariance + np.diag(own + least), lower=True)
     white = solve_triangular(root, seen.level - model.level, lower=True)
     at, none = np.arange(seen.level.size), np.full(seen.level.size, -1)
-    sd = np.diag(root).copy()
+    sd = np.diag(root) / max(largest, _NOTHING)
     return Residuals(white * sd, sd, np.full(seen.level.size, LEVEL, dtype=np.int8), at, none)
 
 

@@ -10,12 +10,14 @@ of Kennedy & O'Hagan 2001 (J. R. Stat. Soc. B 63), written as parameters: their 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.inference.features.run_features import RunFeatures
+from torquerig.inference.measured_run import MeasuredRun
 from torquerig.inference.prediction.expected_run import ExpectedRun
 
 Floats = NDArray[np.float64]
@@ -26,11 +28,7 @@ SLOW_SD = 1.0  # [1] of the logarithm of the variance of slow loads
 EXPONENT_SD = 2.0  # [1] of the exponent: turbulence goes with the fourth power of the speed, hits of grains with none
 _OCTAVES = 2.0  # between two neighbouring triangles
 _SLOWEST = 0.02  # [1] of the largest speed: slower than this no power law holds
-_LOWEST, _HIGHEST = 1.0, 16_384.0  # [Hz] middles of the first and of the last triangle
-
-
-def _triangles_count() -> int:
-    return int(np.ceil(np.log2(_HIGHEST / _LOWEST) / _OCTAVES)) + 1
+_TRIANGLES = 8  # the last one has its middle at half the largest sample rate
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,19 +55,20 @@ class GainShapes:
         return bool(self.bands[:, :, gain].any() or self.levels[gain])
 
 
-def gain_shapes(seen: RunFeatures, *, run: int, runs: int) -> GainShapes:
-    """Return how the gains act on the run with the index ``run`` of ``runs``."""
+def gain_shapes(seen: RunFeatures, *, run: int, runs: Sequence[MeasuredRun]) -> GainShapes:
+    """Return how the gains act on the features of ``runs[run]``."""
     bands = seen.bands
-    at = np.log2(bands.middle / _LOWEST) / _OCTAVES
-    spectrum = SPECTRUM_SD * np.maximum(0.0, 1.0 - np.abs(at[:, None] - np.arange(_triangles_count())[None]))
-    own = np.zeros(runs)
+    below = np.log2(0.5 * max(each.rate for each in runs) / bands.middle) / _OCTAVES
+    at = np.minimum(below, _TRIANGLES - 1)  # slower still as there
+    spectrum = SPECTRUM_SD * np.maximum(0.0, 1.0 - np.abs(at[:, None] - np.arange(_TRIANGLES)[None]))
+    own = np.zeros(len(runs))
     own[run] = RUN_SD
     speed = np.abs(seen.speed)
     slower = np.log(np.maximum(speed / max(float(speed.max()), 1e-12), _SLOWEST))
     shape = (speed.size, at.size)
     columns = [
         np.broadcast_to(spectrum, (*shape, spectrum.shape[1])),
-        np.broadcast_to(own, (*shape, runs)),
+        np.broadcast_to(own, (*shape, len(runs))),
         np.broadcast_to(EXPONENT_SD * slower[:, None, None], (*shape, 1)),
         np.zeros((*shape, 1)),
     ]

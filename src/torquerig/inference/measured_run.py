@@ -25,7 +25,8 @@ Floats = NDArray[np.float64]
 _OF_A_PERIOD = 0.1  # of the time between two pulses: what interpolation between them may be off by
 _FEWEST_PULSES = 3  # in a part whose orders are looked for
 _SLOWEST = 1e-3  # [rad/s]
-MEASURED_TIME, UNMEASURED_TIME = 0.005, 0.04  # [s]
+_WINDOW = 1 / 240  # of a run, over which its speed is a mean: a fifth of the shortest block
+MEASURED_TIME, UNMEASURED_TIME = 0.1, 0.8  # of this window: standard deviation of the time between torque and speed
 UNMEASURED_ANGLE = 0.012  # [1] relative scatter of the speed around one that was estimated from the torque
 
 
@@ -40,7 +41,7 @@ class MeasuredRun:
     torque : ndarray, shape (samples,)
         Measured torque [N m], or force [N] on a rig that moves in a line.
     angle, speed : ndarray, shape (samples,)
-        Of the motor [rad], [rad/s]; the speed is a mean over 50 ms.
+        Of the motor [rad], [rad/s]; the speed is a mean over ``window``.
     has_encoder : bool
         Whether a channel of the recording gave the angle.
     speed_factor : float
@@ -77,6 +78,16 @@ class MeasuredRun:
         return self.recording.sample_rate
 
     @property
+    def window(self) -> float:
+        """The time over which the speed is a mean [s]."""
+        return _WINDOW * self.recording.duration
+
+    @property
+    def slowest(self) -> float:
+        """Two bins of the longest block [Hz]: the mean torques show what is slower, lines and bands what is faster."""
+        return 2 * self.rate / max(block.stop - block.start for block in self.blocks)
+
+    @property
     def run(self) -> Run:
         """The conditions of the run."""
         return self.recording.run
@@ -86,7 +97,7 @@ class MeasuredRun:
 
         It comes from filters, from an angle that was not measured, and from the time between two pulses of a tacho.
         """
-        least = np.full(speed.shape, MEASURED_TIME if self.has_encoder else UNMEASURED_TIME)
+        least = np.full(speed.shape, self.window * (MEASURED_TIME if self.has_encoder else UNMEASURED_TIME))
         if np.isinf(self.pulses):
             return least
         period = 2 * pi / (self.pulses * np.maximum(np.abs(speed), _SLOWEST))
@@ -124,7 +135,7 @@ def _directed(recording: Recording, angle: ShaftAngle) -> Floats:
     if not angle.measured or _tacho_of(recording) is None or recording.run.speed is None:
         return angle.values
     set_point = set_point_profile(recording, "the direction of a tacho")
-    return directed(angle.values, set_point, recording.sample_rate)
+    return directed(angle.values, set_point)
 
 
 def _tacho_of(recording: Recording) -> str | None:
@@ -144,9 +155,9 @@ def _measured_run(recording: Recording, angle: Floats, *, has_encoder: bool, fac
     is_steady = run.profile == "steady"  # what an encoder scatters by is no change of the speed
     if is_steady and not has_encoder:
         angle = np.linspace(angle[0], angle[-1], angle.size)
-    speed = speed_of(angle, rate)
+    speed = speed_of(angle, rate, window=_WINDOW * recording.duration)
     course = np.full(speed.size, float(speed.mean())) if is_steady else speed
-    blocks = blocks_of(course, rate)
+    blocks = blocks_of(course)
     if has_encoder and not is_steady:
         blocks = tuple(block for block in blocks if _between_pulses(recording, block)) or blocks
     pulses = _pulses(recording, angle) if has_encoder else float("inf")

@@ -8,10 +8,10 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 _LATE = 0.03  # of the recording: by so much a drive may be later or earlier than its set-point turns back
-_WINDOW = 0.02  # [s] over which the speed is a mean
+_WINDOW = 1 / 600  # of the recording, over which the speed is a mean
 
 
-def directed(angle: Floats, set_point: Floats, rate: float) -> Floats:
+def directed(angle: Floats, set_point: Floats) -> Floats:
     """Return an angle with the direction of a set-point.
 
     Parameters
@@ -20,11 +20,9 @@ def directed(angle: Floats, set_point: Floats, rate: float) -> Floats:
         Of the motor [rad], counted upwards or downwards whichever way it turned.
     set_point : ndarray, shape (samples,)
         Of the motor's speed [rad/s].
-    rate : float
-        [Hz]
     """
     steps = np.abs(np.diff(angle))
-    wide = max(int(_WINDOW * rate), 1)
+    wide = max(int(_WINDOW * angle.size), 1)
     speed = np.convolve(steps, np.ones(wide) / wide, mode="same")
     way = np.sign(set_point[:-1])
     way[way == 0] = np.nan

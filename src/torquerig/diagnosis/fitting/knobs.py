@@ -19,7 +19,7 @@ from torquerig.scenario.numbers.tolerance import deviation
 LOAD_LEVEL_SPREAD = 0.05  # the mean load of a real rig is known to a few per cent (reference rig)
 _NOISE_SPREAD = 0.5  # an amplifier that is louder than its data sheet is no missing physics
 _NOISE_COLOUR = 0.11  # no amplifier's noise is quite white
-HIT_RISE = 1e-4  # [s] no pulse rises at once; so short a rise cannot be seen, and a longer one is to be found
+HIT_RISE = 0.025  # of the decay: no pulse rises at once; so short a rise cannot be seen, a longer one is found
 _HIT_RISE_SPREAD = 1.2
 _LOAD_SPECTRUM = {"hit_rms": 0.3, "hit_decay": 0.2, "slow_rms": 0.4, "slow_cutoff": 0.3}
 HARDLY_ANY = 0.002  # of the mean: a load stated to have no hits, or no slow variation, may have both at any pace
@@ -158,7 +158,7 @@ def with_free_load(rig: Rig) -> Rig:
     """
     for load in rig.parts_of(ParticleLoad):
         free = replace(
-            load, hit_rise=load.hit_rise or HIT_RISE, hit_rms=load.hit_rms or HARDLY_ANY,
+            load, hit_rise=load.hit_rise or HIT_RISE * load.hit_decay, hit_rms=load.hit_rms or HARDLY_ANY,
             slow_rms=load.slow_rms or HARDLY_ANY,
         )  # fmt: skip
         rig = rig if free == load else rig.changed(free)

@@ -156,9 +156,9 @@ def observed(recording: Recording, angle: ShaftAngle, *, ratio: float) -> Observ
     )
 
 
-def speed_of(angle: NDArray[np.float64], rate: float) -> NDArray[np.float64]:
-    """Return the speed [rad/s] at each sample of an angle [rad], as a mean over 50 ms."""
-    reach = max(1, int(0.5 * _SPEED_WINDOW * rate))
+def speed_of(angle: NDArray[np.float64], rate: float, *, window: float = _SPEED_WINDOW) -> NDArray[np.float64]:
+    """Return the speed [rad/s] at each sample of an angle [rad], as a mean over ``window`` [s]."""
+    reach = max(1, int(0.5 * window * rate))
     at = np.arange(angle.size)
     low, high = np.maximum(at - reach, 0), np.minimum(at + reach, angle.size - 1)
     return np.asarray((angle[high] - angle[low]) / (high - low) * rate)

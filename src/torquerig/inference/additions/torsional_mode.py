@@ -16,7 +16,7 @@ NAMES = ("torsional_mode",)
 
 _LOG_ODDS = -5.0  # within one step of the grid of frequencies
 _PER_OCTAVE = 4  # steps
-_LOWEST, _HIGHEST = 8.0, 0.2  # [Hz], and of the sample rate
+_LOWEST, _HIGHEST = 8.0, 0.2  # times the lowest band, to be wider than a bin at a damping of 0.03; of the sample rate
 _DAMPING, _DAMPING_SPREAD = 0.02, 0.8
 _SHARE, _SHARE_SPREAD = 0.3, 1.0  # of the inertia of the shaft that carries it
 _STARTS = ((0.0, 0.0, 0.0), (-1.0, -1.0, 0.0), (1.0, -1.0, 0.0))
@@ -29,7 +29,8 @@ def propose(context: Context) -> Iterator[Addition]:
     node = rig.node(shaft.part)
     carried = sum(term.inertia for term in rig.terms() if isinstance(term, Inertia) and term.node == node)
     name, step = free_name(rig, "torsional_mode"), 1.0 / _PER_OCTAVE
-    for octave in np.arange(np.log2(_LOWEST), np.log2(max(top, 2 * _LOWEST)), step) if carried else ():
+    lowest = _LOWEST * min(seen.run.slowest for seen in context.data.seen)
+    for octave in np.arange(np.log2(max(top, 2 * lowest)), np.log2(lowest), -step) if carried else ():
         part = mechanisms.TorsionalMode(
             name=name, after=shaft.part, frequency=float(2**octave), inertia=_SHARE * carried, damping_ratio=_DAMPING
         )

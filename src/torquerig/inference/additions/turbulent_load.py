@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import pi
 
 from torquerig import mechanisms
 from torquerig.diagnosis.fitting.knobs import Knob
@@ -15,7 +16,7 @@ NAMES = ("turbulent_load",)
 _LOG_ODDS = -14.0  # a load is what a scenario states first, and a drive's uneven speed is not in the linear model
 _SHARE = 0.3  # of the largest mean torque, at the largest speed: prior median
 _RMS, _RMS_SPREAD = 0.05, 1.0  # of the mean, and of its logarithm
-_CUTOFF, _CUTOFF_SPREAD = 3.0, 1.0  # [Hz], and of its logarithm
+_CUTOFF, _CUTOFF_SPREAD = 0.2, 1.0  # times a turn of the shaft: eddies of an impeller (Strouhal); and of its logarithm
 _STARTS = ((0.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (-1.0, 1.0, 1.0), (0.5, -1.0, 0.0))
 
 
@@ -28,7 +29,7 @@ def propose(context: Context) -> Iterator[Addition]:
     name = free_name(context.rig, "turbulent_load")
     part = mechanisms.TurbulentLoad(
         name=name, at=shaft.part, quadratic=_SHARE * context.largest_level / fastest**2, turbulence=_RMS,
-        turbulence_cutoff=_CUTOFF,
+        turbulence_cutoff=_CUTOFF * fastest / (2 * pi),
     )  # fmt: skip
     yield Addition(
         mechanism="turbulent_load", parts=(part,), starts=_STARTS, log_odds=_LOG_ODDS,

@@ -14,6 +14,7 @@ from torquerig.inference.features.run_features import RunFeatures, run_features
 from torquerig.inference.features.segment import Segment
 from torquerig.inference.fit import Fit
 from torquerig.inference.load_spectrum import gain_shapes, with_gains
+from torquerig.inference.measured_run import MeasuredRun
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
 from torquerig.rig.assembly import Rig
 
@@ -94,7 +95,7 @@ def run_curves(outcome: Outcome) -> tuple[RunCurves, ...]:
     for row, run in enumerate(outcome.runs):
         seen = run_features(run, places, held_out=None)
         models = [
-            _expected(fit, rig, seen, row=row, runs=len(outcome.runs))
+            _expected(fit, rig, seen, row=row, runs=outcome.runs)
             for fit, rig in ((outcome.nominal, outcome.nominal.fitted_rig), (outcome.model.fit, outcome.completed))
         ]
         texts = tuple(names.get(place, "").replace("_", " ") for place in places)
@@ -104,7 +105,7 @@ def run_curves(outcome: Outcome) -> tuple[RunCurves, ...]:
     return tuple(answer)
 
 
-def _expected(fit: Fit, rig: Rig, seen: RunFeatures, *, row: int, runs: int) -> ExpectedRun:
+def _expected(fit: Fit, rig: Rig, seen: RunFeatures, *, row: int, runs: Sequence[MeasuredRun]) -> ExpectedRun:
     return with_gains(expected_run(rig, seen), gain_shapes(seen, run=row, runs=runs), fit.gains)
 
 

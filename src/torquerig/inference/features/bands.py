@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 BANDS_PER_OCTAVE = 6
-_LOWEST = 1.0  # [Hz]
 _HIGHEST = 0.45  # of the sample rate
 _INDEPENDENT = 0.7  # share of neighbouring bins under a Hann window that are independent (equivalent noise bandwidth)
 
@@ -42,13 +41,16 @@ class Bands:
         return np.sqrt(self.low * self.high)
 
 
-def band_edges(rate: float) -> Floats:
-    """Return the edges [Hz] at ``rate`` samples per second, shape (bands + 1,)."""
-    octaves = np.log2(_HIGHEST * rate / _LOWEST)
-    return np.asarray(_LOWEST * 2 ** (np.arange(int(octaves * BANDS_PER_OCTAVE) + 1) / BANDS_PER_OCTAVE))
+def band_edges(rate: float, *, slowest: float) -> Floats:
+    """Return the edges from ``slowest`` [Hz] on at ``rate`` samples per second [Hz], shape (bands + 1,).
+
+    Runs of one rate have their edges at the same frequencies.
+    """
+    count = max(int(np.log2(_HIGHEST * rate / slowest) * BANDS_PER_OCTAVE), 1)
+    return np.asarray(_HIGHEST * rate * 2 ** (np.arange(-count, 1) / BANDS_PER_OCTAVE))
 
 
-def bands(residuals: Sequence[Floats], lines: Sequence[tuple[Floats, Floats]], rate: float) -> Bands:
+def bands(residuals: Sequence[Floats], lines: Sequence[tuple[Floats, Floats]], rate: float, *, slowest: float) -> Bands:
     """Return the mean density of the residuals of some blocks [N m].
 
     Parameters
@@ -58,8 +60,10 @@ def bands(residuals: Sequence[Floats], lines: Sequence[tuple[Floats, Floats]], r
         Of each block the frequencies of its lines [Hz] and the half-widths [Hz] around them that do not count.
     rate : float
         [Hz]
+    slowest : float
+        The lower end of the first band, or less than a band below it [Hz].
     """
-    edges = band_edges(rate)
+    edges = band_edges(rate, slowest=slowest)
     total, used = np.zeros(edges.size - 1), np.zeros(edges.size - 1)
     for residual, (frequency, half_width) in zip(residuals, lines, strict=True):
         density, counts = _spectrum(residual, frequency, half_width, rate)

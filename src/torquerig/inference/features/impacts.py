@@ -20,8 +20,8 @@ from torquerig.inference.features.run_features import RunFeatures
 Floats = NDArray[np.float64]
 
 LEVEL = 1e-4  # p-value of the whole search below which a beat is real
-_LOWEST, _HIGHEST = 60.0, 0.42  # [Hz], and of the sample rate: bands that are searched
-_OCTAVES = 0.5  # width of a band
+_HIGHEST = 0.42  # of the sample rate: upper end of the bands that are searched
+_OCTAVES, _BANDS = 0.5, 15  # width of a band, and how many: in those that are slower a block has too few bins to beat
 _ORDERS = (1.8, 15.0)  # [1/rev] of the shaft: races and balls of bearings have 2 to 12 (Harris & Kotzalas)
 _HARMONICS = 3
 _OVERSAMPLED = 2  # points of the grid of orders for each bin
@@ -52,32 +52,35 @@ class _Beats:
 
 def search_impacts(seen: Sequence[RunFeatures], turns: float) -> Impact | None:
     """Return the clearest beat of a shaft that turns ``turns`` times per turn of the motor, or None."""
-    beats = [each for one in seen for each in _beats_of(one) if each.turned * turns > _TURNS]
+    top = _HIGHEST * min((one.run.rate for one in seen), default=0.0)
+    beats = [each for one in seen for each in _beats_of(one, top) if each.turned * turns > _TURNS]
     if not beats:
         return None
     step = min(each.step for each in beats) / turns / _OVERSAMPLED
     orders = np.arange(*_ORDERS, step)
-    bands = min(len(each.ratios) for each in beats)
-    scores = np.array([np.sum([_score(each, band, orders * turns) for each in beats], axis=0) for band in range(bands)])
+    shown = [band for band in range(_BANDS) if any(each.ratios[band].size for each in beats)]
+    scores = np.array([np.sum([_score(each, band, orders * turns) for each in beats], axis=0) for band in shown])
     if not scores.size:
         return None
-    band, at = np.unravel_index(int(np.argmax(scores)), scores.shape)
+    row, at = divmod(int(np.argmax(scores)), orders.size)
+    band = shown[row]
     count = _HARMONICS * len(beats)
-    log_p = _log_tail(count, float(scores[band, at])) + log(orders.size / _OVERSAMPLED * bands)
+    log_p = _log_tail(count, float(scores[row, at])) + log(orders.size / _OVERSAMPLED * len(shown))
     if log_p > log(LEVEL):
         return None
-    order = _fundamental(beats, int(band), float(orders[at]), turns)
+    order = _fundamental(beats, band, float(orders[at]), turns)
     if order < _ORDERS[0]:  # something that passes less than twice a turn
         return None
-    return Impact(order, _LOWEST * 2 ** (_OCTAVES * (float(band) + 0.5)), log_p)
+    loudest = max(shown, key=lambda one: sum(_size(each, one, float(orders[at]) * turns) for each in beats))
+    return Impact(order, float(_centres(top)[loudest]), log_p)
 
 
 @lru_cache(maxsize=32)
-def _beats_of(seen: RunFeatures) -> tuple[_Beats, ...]:
-    return tuple(_each_block(seen))
+def _beats_of(seen: RunFeatures, top: float) -> tuple[_Beats, ...]:
+    return tuple(_each_block(seen, top))
 
 
-def _each_block(seen: RunFeatures) -> Iterator[_Beats]:
+def _each_block(seen: RunFeatures, top: float) -> Iterator[_Beats]:
     run = seen.run
     for segment in seen.segments:
         for block in segment.blocks:
@@ -87,20 +90,22 @@ def _each_block(seen: RunFeatures) -> Iterator[_Beats]:
             spectrum = np.fft.rfft(residual - residual.mean())
             ratios = [
                 _over_noise(_envelope(spectrum, residual.size, run.rate, centre), angle)
-                for centre in _centres(run.rate)
+                for centre in _centres(top).tolist()
             ]
             yield _Beats(tuple(ratios), 1 / max(turned, 1e-9), turned)
 
 
-def _centres(rate: float) -> Floats:
-    count = int(np.log2(_HIGHEST * rate / _LOWEST) / _OCTAVES) if _HIGHEST * rate > _LOWEST else 0
-    return np.asarray(_LOWEST * 2 ** (_OCTAVES * (np.arange(count) + 0.5)))
+def _centres(top: float) -> Floats:
+    """Return the middles of the bands below ``top`` [Hz], the slowest first."""
+    return np.asarray(top * 2 ** (_OCTAVES * (np.arange(-_BANDS, 0) + 0.5)))
 
 
 def _envelope(spectrum: NDArray[np.complex128], size: int, rate: float, centre: float) -> Floats:
     """Return the squared envelope of a band, sampled as often as its width permits."""
     low, high = (round(centre * 2 ** (way * 0.5 * _OCTAVES) * size / rate) for way in (-1, 1))
     inside = spectrum[low:high]
+    if not inside.size:
+        return np.zeros(0)
     padded = np.zeros(2 * inside.size, dtype=complex)  # a squared envelope is twice as wide
     padded[: inside.size] = inside
     return np.asarray(np.abs(np.fft.ifft(padded)) ** 2)
@@ -130,6 +135,12 @@ def _at(beats: _Beats, band: int, orders: Floats) -> Floats:
     row = np.round(orders / beats.step).astype(int)
     inside = row < ratio.size
     return np.where(inside, ratio[np.where(inside, row, 0)] if ratio.size else 1.0, 1.0)
+
+
+def _size(beats: _Beats, band: int, order: float) -> float:
+    """Return the logarithm of the power over noise summed over the first harmonics of an order of the motor."""
+    row = np.round(np.arange(1, _HARMONICS + 1) * order / beats.step).astype(int)
+    return float(np.log1p(beats.ratios[band][row[row < beats.ratios[band].size]]).sum())
 
 
 def _fundamental(beats: Sequence[_Beats], band: int, order: float, turns: float) -> float:

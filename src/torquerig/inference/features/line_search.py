@@ -20,7 +20,6 @@ Floats = NDArray[np.float64]
 
 LEVEL = 1e-3  # p-value, of the whole search, below which a line is real
 _MOST_OF_A_BLOCK = 12.0  # [1] times the noise: what a single block shows is no line of the run
-_LOWEST = 1.0  # [Hz] slower than this the variation of the load has no even spectrum
 _OVERSAMPLED = 2  # points of the grid for each bin of the longest block
 _SKIRT_LOG = 0.05  # of the strongest line's log p-value: a weaker line may be its leakage and waits for the next pass
 _PASSES = 4
@@ -190,7 +189,7 @@ def _highest(each: NoiseRatios, *, turning: bool) -> float:
 
 def _lowest(each: NoiseRatios, *, turning: bool) -> float:
     own = each.order_step if turning else each.frequency_step
-    least = _LOWEST * 2 * pi / max(each.speed, 1e-9) if turning else _LOWEST
+    least = each.run.slowest * 2 * pi / max(each.speed, 1e-9) if turning else each.run.slowest
     return max(least, NEAR * own)
 
 

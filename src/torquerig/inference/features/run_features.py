@@ -91,6 +91,11 @@ class RunFeatures:
         return np.asarray(0.5 * self.parts.sum(axis=1) / self.run.rate)
 
     @cached_property
+    def largest_level(self) -> float:
+        """Largest mean torque of a part, without sign [N m]."""
+        return float(np.abs(self.level).max(initial=0.0))
+
+    @cached_property
     def level_segment(self) -> NDArray[np.intp]:
         """Segment that holds each part, shape (levels,); the slowest one where the motor turns back in a block."""
         answer = np.full(len(self.parts), int(np.argmin(np.abs(self.speed))) if self.segments else -1)
@@ -275,7 +280,7 @@ def _segment(run: MeasuredRun, places: Sequence[Place], members: Sequence[tuple[
         line_half_width=mean(np.array([each.half_width for _, each in members])),
         line_excluded=mean(np.array([each.leakage for _, each in members])),
         line_count=count,
-        bands=bands([each.residual for _, each in members], lines, run.rate),
+        bands=bands([each.residual for _, each in members], lines, run.rate, slowest=run.slowest),
     )
 
 

@@ -22,7 +22,7 @@ from torquerig.rig.parts import Motor
 _OF_A_SHAFT = (5.0, 23.0)  # [1/rev] of each shaft: blades have few, wheels many; both prime, so no multiples of others
 _OF_THE_GRID = 50.0  # [Hz]
 _HIGHEST = 0.4  # of the sample rate
-_SLOWEST = 2.0  # [Hz] a slower line has too few periods in a block
+_SLOWEST = 2.0  # times the lowest band: a slower line has too few periods in a block
 
 
 def probed(fit: Fit, runs: Sequence[MeasuredRun], known: Sequence[Place]) -> tuple[Context, tuple[Place, ...]]:
@@ -72,6 +72,6 @@ def _is_free(place: Place, run: MeasuredRun, taken: Sequence[Place]) -> bool:
     speed = float(np.abs(run.speed).mean())
     at, block = place.frequency(speed), run.blocks[0]
     apart = 2 * RESOLVED_WELL * run.rate / (block.stop - block.start) + run.smearing(block.samples) * at
-    if not _SLOWEST <= at <= _HIGHEST * run.rate or speed < 2 * pi * 0.01:
+    if not _SLOWEST * run.slowest <= at <= _HIGHEST * run.rate or speed < 2 * pi * 0.01:
         return False
     return all(abs(at - other.frequency(speed)) > apart for other in taken)

@@ -117,9 +117,9 @@ def _slope(rig: Rig, change: _Change, fit: Fit) -> Floats:
 
 def _strength(one: Rig, change: _Change, fit: Fit) -> Floats:
     """Return the derivative by the strength of the load in this run."""
-    shape = gain_shapes(change.made, run=0, runs=1)
+    shape = gain_shapes(change.made, run=0, runs=(change.made.run,))
     gains = np.zeros(shape.count)
-    gains[-2] = _STEP  # the last one is the exponent of the speed
+    gains[-3] = _STEP  # after it come the exponent of the speed and the slow load
     moved = residuals(change.made, with_gains(expected_run(one, change.made), shape, gains), fit.off)
     return np.asarray((moved.value - change.here.value) / (_STEP * change.sd))
 

@@ -22,7 +22,7 @@ from torquerig.sensor_stages.scale_and_zero import ScaleAndZero
 Floats = NDArray[np.float64]
 
 _SHIFT = 0.01  # [1] of the frequencies of the modes, for a difference quotient
-_SLOWEST = 0.05  # [Hz] slower than this the response of the shafts is that at rest
+_SLOWEST = 2  # points of the grid: slower than this the response of the shafts is that at rest
 
 
 @dataclass(frozen=True)
@@ -85,9 +85,8 @@ def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
     density = load + chain_noise(twin.rig, seen) + recorded * ringing_density(twin, seen)
     lines = line_features(twin, seen)
     balance = level_balance(twin, seen)
-    slow_load = seen.kept.get(
-        "slow", load_key(twin), lambda: covariance(seen, twin.load_power(np.maximum(seen.level_grid, _SLOWEST)))
-    )
+    slow = np.maximum(seen.level_grid, seen.level_grid[_SLOWEST])
+    slow_load = seen.kept.get("slow", load_key(twin), lambda: covariance(seen, twin.load_power(slow)))
     spread = slow_load
     for each in lines.unshown:
         spread = spread + covariance_of_lines(seen, each)

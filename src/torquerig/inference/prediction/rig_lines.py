@@ -19,7 +19,7 @@ from torquerig.sensor_stages.tone import Tone, folded
 Floats = NDArray[np.float64]
 
 SHIFT = 0.01  # [1] of the frequencies of the modes, for a difference quotient
-_SLOWEST = 0.05  # [Hz] slower than this the response of the shafts is that at rest
+_SLOWEST = 0.05  # of the slowest band: slower than this the response of the shafts is that at rest
 
 
 class RigLines(NamedTuple):
@@ -52,7 +52,7 @@ def _at_the_sensor(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
         speeds = seen.speeds.ravel()
         motor = speed_balance(twin, seen).motor
         orders = np.array([line.order for line in lines])[:, None]
-        at = np.maximum(orders * np.abs(speeds) / (2 * pi), _SLOWEST)
+        at = np.maximum(orders * np.abs(speeds) / (2 * pi), _SLOWEST * seen.run.slowest)
         both = np.concatenate([at, at * (1 + SHIFT)], axis=1)
         gain = np.abs(passed([line.transfer for line in lines], both)) * np.tile(sources(lines, motor), 2)
         square, shifted = np.square(gain).reshape(len(lines), 2, count, points).transpose(1, 0, 2, 3)
