@@ -46,6 +46,14 @@ def test_a_class_has_the_mass_of_its_mechanisms():
     assert sure.confidence(outcome, CHOSEN) == pytest.approx(own / (own + exp(-3.5)))
 
 
+@pytest.mark.parametrize(("gap", "listed"), [(1.0, ["line_family"]), (2.9, ["line_family"]), (3.1, [])])
+def test_a_nameless_line_that_is_near_is_said_and_lowers_the_confidence(gap, listed):
+    nameless = Addition(kind="line_family", parts=(object(),))
+    outcome = outcome_of((nameless, gap))
+    assert sure.equivalent_to(outcome, CHOSEN) == listed
+    assert sure.confidence(outcome, CHOSEN) == pytest.approx(1 / (1 + exp(-gap)))
+
+
 @pytest.mark.parametrize(("mass", "is_named"), [(0.59, False), (0.61, True)])
 def test_below_six_tenths_nothing_is_named(mass, is_named):
     outcome = outcome_of((NAMELESS, -log(1 / mass - 1)))

@@ -23,19 +23,28 @@ def alternatives(outcome: Outcome, each: Addition) -> list[tuple[Addition, float
     return sorted(behind, key=lambda one: one[1])
 
 
-def equivalent_to(outcome: Outcome, each: Addition) -> list[str]:
+def mechanisms_alike(outcome: Outcome, each: Addition) -> list[str]:
     """Return the other mechanisms that the recordings do not exclude in the place of an addition."""
     near = {other.mechanism for other, gap in alternatives(outcome, each) if gap < ALIKE and other.is_named}
     return sorted(near - {each.mechanism})
 
 
+def equivalent_to(outcome: Outcome, each: Addition) -> list[str]:
+    """Return what the recordings do not exclude in the place of a mechanism: mechanisms, then kinds without a name.
+
+    A kind without a name does not belong to the class of the mechanism: it lowers the confidence.
+    """
+    near = (other for other, gap in alternatives(outcome, each) if gap < ALIKE and other.parts and not other.is_named)
+    return [*mechanisms_alike(outcome, each), *sorted({other.kind for other in near})]
+
+
 def confidence(outcome: Outcome, each: Addition) -> float:
     """Return the posterior mass of the class of an addition [1].
 
-    For a mechanism the class is its name with those of ``equivalent_to``; for a nameless effect and for a number of the
-    rig it is all hypotheses of its kind.
+    For a mechanism the class is its name with the mechanisms of ``equivalent_to``; for a nameless effect and for a
+    number of the rig it is all hypotheses of its kind.
     """
-    names = {each.mechanism, *equivalent_to(outcome, each)} if each.is_named else {""}
+    names = {each.mechanism, *mechanisms_alike(outcome, each)} if each.is_named else {""}
     total = own = 1.0
     for other, gap in alternatives(outcome, each):
         total += exp(-gap)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from torquerig.inference.addition import Addition, Reported
-from torquerig.inference.answer.confidence import alternatives, confidence, equivalent_to
+from torquerig.inference.answer.confidence import alternatives, confidence, equivalent_to, mechanisms_alike
 from torquerig.inference.answer.numbers import digits, estimate
 from torquerig.inference.answer.owned import Owned
 from torquerig.inference.answer.sizes import size
@@ -38,7 +38,7 @@ def finding_of_number(outcome: Outcome, each: Addition, owner: Owned) -> dict[st
     return {
         "mechanism": owner.mechanism, "part": each.knobs[0].part, "explanation": owner.sentence,
         "confidence": round(confidence(outcome, each), 3), "parameters": owner.parameters,
-        "equivalent_to": [name for name in equivalent_to(outcome, each) if name != owner.mechanism],
+        "equivalent_to": [name for name in mechanisms_alike(outcome, each) if name != owner.mechanism],
         "next_experiment": None,
         "size": {"value": digits(size(outcome, each)), "unit": effort_unit(outcome.completed)},
         "alternatives": alternatives_of(outcome, each),
@@ -50,7 +50,7 @@ def unnamed(outcome: Outcome, each: Addition) -> dict[str, Any]:
     axis, at = _axis(outcome, each)
     low, high, value = *_size_interval(outcome, each), size(outcome, each)
     peak = 2**0.5 if each.places else 1.0  # a line is stated by its amplitude, noise by its rms
-    maybe = sorted({*equivalent_to(outcome, each), *([each.mechanism] if each.is_named else [])})
+    maybe = sorted({*mechanisms_alike(outcome, each), *([each.mechanism] if each.is_named else [])})
     return {
         "kind": each.kind or _kind(each), "axis": axis, "at": digits(at),
         "harmonics": [max(1, round(place.at / each.places[0].at)) for place in each.places],

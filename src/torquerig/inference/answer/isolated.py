@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from torquerig.inference.addition import Addition
-from torquerig.inference.answer.confidence import ALIKE, alternatives, equivalent_to, nameless
+from torquerig.inference.answer.confidence import ALIKE, alternatives, nameless
 from torquerig.inference.answer.sizes import size
 from torquerig.inference.answer.verdict import is_minor
 from torquerig.inference.engine import Outcome
@@ -23,10 +23,12 @@ def upper_limits(outcome: Outcome) -> list[dict[str, Any]]:
 
 
 def next_experiment(outcome: Outcome, each: Addition) -> str | None:
-    """Return which further run separates a finding from the nearest mechanism that it may be instead, or None."""
-    alike = set(equivalent_to(outcome, each))
-    other = next((one for one, _ in alternatives(outcome, each) if one.mechanism in alike), None)
-    return None if other is None else _separating(outcome, each, other, names=(each.mechanism, other.mechanism))
+    """Return which further run separates a finding from the nearest effect that it may be instead, or None."""
+    near = (one for one, gap in alternatives(outcome, each) if gap < ALIKE and one.parts)
+    other = next((one for one in near if one.mechanism != each.mechanism), None)
+    if other is None:
+        return None
+    return _separating(outcome, each, other, names=(each.mechanism, other.mechanism or other.label))
 
 
 def next_experiment_for_nameless(outcome: Outcome) -> str | None:
