@@ -33,10 +33,14 @@ rig:
 """
 
 
-def pump_scenario(folder: Path, more: str = "") -> Scenario:
-    """Return the scenario, written into a folder, with ``more`` lines of its rig."""
+def pump_scenario(folder: Path, more: str = "", *, before_sensor: str = "") -> Scenario:
+    """Return the scenario, written into a folder, with ``more`` lines of its rig; parts on the shaft follow each other.
+
+    ``before_sensor`` are lines of parts between motor and sensor.
+    """
     path = folder / "scenario.yaml"
-    path.write_text(SCENARIO + more, encoding="utf-8")
+    text = SCENARIO.replace("  sensor:", f"{before_sensor}  sensor:") + more
+    path.write_text(text, encoding="utf-8")
     return read_scenario(edited(path, ()), catalog_for(path, ()), seed=0)
 
 

@@ -6,7 +6,7 @@ features/               what recordings show: lines, bands, levels; and lines th
 prediction/             what a rig is expected to show
 likelihood              how likely features are under a model      load_spectrum   what nobody knows of a load
 discrepancy             how far a right model may be off           model_density   what a model expects between lines
-setup_faults            readings of the samples with a fact of the set-up corrected
+readings/               other readings of the samples: with a fact of the set-up corrected
 parameters, fit         the nominal rig's numbers, their maximum of the posterior, and the evidence; moved_gain: slopes
 additions/, addition    hypotheses: nameless effects, numbers far off, mechanisms
 context, shafts, tones, one_size    for them

@@ -17,9 +17,9 @@ from torquerig.inference.fit import Data, Fit, fitted
 from torquerig.inference.measured_run import MeasuredRun, measured_runs
 from torquerig.inference.model_density import model_densities
 from torquerig.inference.parameters import parameters
+from torquerig.inference.readings import Reading, SetupFault, best_reading
 from torquerig.inference.sample_faults import sample_faults, usable_runs
 from torquerig.inference.search import Model, searched
-from torquerig.inference.setup_faults import Reading, SetupFault, best_reading
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario
@@ -142,19 +142,22 @@ def prepared(
     rig = faults.added_to(rig)
     progress("estimating the angle of the motor")
     usable, judged = usable_runs(measured_runs(faults.recordings, rig), faults.unusable)
-    runs = with_held_out(usable, held_out)
-    known = sorted({order(line.order) for run in runs for line in Twin(rig.at(run.run)).lines()})
-    knobs = parameters(scenario, rig, runs)
+    measured = with_held_out(usable, held_out)
     progress("fitting the parameters of the nominal model")
 
-    def nominal_fit(of: Sequence[MeasuredRun]) -> tuple[Data, Fit]:
-        seen = features_of(of, known)
-        return seen, fitted(rig, knobs, seen)
+    def read(of: Rig, runs: Sequence[MeasuredRun] | None = None, *, also: Sequence[Place] = ()) -> Reading:
+        if runs is None:
+            usable, _ = usable_runs(measured_runs(faults.recordings, of), faults.unusable)
+            runs = with_held_out(usable, held_out)
+        own = (order(line.order) for run in runs for line in Twin(of.at(run.run)).lines())
+        seen = features_of(runs, sorted({*also, *own}))
+        return Reading(tuple(runs), seen, fitted(of, parameters(scenario, of, runs), seen))
 
-    stated = Reading(runs, *nominal_fit(runs))
-    reading = best_reading(stated, rig, nominal_fit) if judged else stated
+    stated = read(rig, measured)
+    reading = best_reading(stated, rig, read) if judged else stated
+    known = reading.data.seen[0].places
     samples = faults.without_scaled_codes(each.estimated for each in reading.faults if each.kind == "sensor_scale")
-    return Prepared(reading.runs, tuple(known), reading.data, reading.fit, stated, reading.faults, samples, judged)
+    return Prepared(reading.runs, known, reading.data, reading.fit, stated, reading.faults, samples, judged)
 
 
 def with_held_out(runs: Sequence[MeasuredRun], names: Sequence[str]) -> tuple[MeasuredRun, ...]:

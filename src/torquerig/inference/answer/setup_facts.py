@@ -8,7 +8,7 @@ from typing import Any
 from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.answer.numbers import MOST_SURE, TWO_SIDED, digits, estimate
 from torquerig.inference.fit import Fit
-from torquerig.inference.setup_faults import SetupFault
+from torquerig.inference.readings import SetupFault
 
 _SET_POINT = 0.01 / sqrt(3)  # [1] standard deviation of a speed whose set-point is kept to a per cent
 _KIND_OF = {"scale": "sensor_scale", "zero": "sensor_zero"}  # fields of a sensor that are facts of the set-up
@@ -31,6 +31,9 @@ def _estimated(each: SetupFault, fit: Fit, runs: int) -> dict[str, Any]:
     scale = [at for at, knob in enumerate(fit.knobs) if (knob.part, knob.field) == (each.of, "scale")]
     if each.kind == "sensor_scale" and scale:
         return estimate(fit, scale[0], each.unit)
+    if each.interval is not None:
+        low, high = each.interval
+        return {"value": digits(each.estimated), "ci95": [digits(low), digits(high)], "unit": each.unit}
     half = 0.0 if each.kind == "sensor_sign" else TWO_SIDED * _SET_POINT / sqrt(runs) * abs(each.estimated)
     ends = [digits(each.estimated - half), digits(each.estimated + half)]
     return {"value": digits(each.estimated), "ci95": ends, "unit": each.unit}

@@ -20,7 +20,7 @@ Density = Callable[[Floats], Floats]
 _NEIGHBOURS = 100  # bins either way whose median is the noise of a bin
 _INDEPENDENT = (2 * _NEIGHBOURS + 1) / 1.5 / 2.08  # of a mean as precise: a Hann window is 1.5 bins wide, the median of
 # exponential variates has 2.08 times the variance of their mean
-_FEWEST_TURNS = 4  # of the motor in a group of blocks whose orders are searched
+FEWEST_TURNS = 4  # of the motor in a group of blocks whose orders are searched
 NEAR = 3.0  # [bins] a weaker line so near to a stronger one is its skirt
 _LOG_MEDIAN = float(np.log(2.0))  # median over mean of an exponential variate
 
@@ -53,7 +53,7 @@ def noise_ratios(run: MeasuredRun, places: Sequence[Place], density: Density) ->
         turning_at = np.abs(run.speed[part])
         direct = _over_noise(rest, run.rate, density)
         turning, order_step = np.zeros(0), 1.0
-        if abs(turned) > 2 * pi * _FEWEST_TURNS and np.abs(np.diff(np.sign(run.speed[part]))).max(initial=0) == 0:
+        if abs(turned) > 2 * pi * FEWEST_TURNS and np.abs(np.diff(np.sign(run.speed[part]))).max(initial=0) == 0:
             even = np.linspace(0.0, abs(turned), rest.size)
             by_angle = np.interp(even, np.maximum.accumulate(np.sign(turned) * (angle - angle[0])), rest)
             turning, order_step = _over_noise(by_angle, run.rate, density), 2 * pi / abs(turned)
@@ -103,18 +103,35 @@ def _left_out(ratio: Floats, low: float, high: float) -> None:
 
 
 def _over_noise(values: Floats, rate: float, density: Density) -> Floats:
-    """Return the power of each bin over that of noise, as the exponential variate of the same p-value.
+    """Return the power of each bin over that of noise, as an exponential variate; along an angle at the mean speed."""
+    power = spectrum(values, rate)
+    ratio = over_floor(power, density(np.arange(power.size) * rate / values.size))
+    return np.zeros(0) if ratio is None else as_exponential(ratio)
 
-    Along an angle the frequency is that of the mean speed. The noise is estimated: the ratio of an exponential variate
-    to the mean of m others exceeds x with the probability ``(1 + x / m)^-m`` (an F distribution).
+
+def spectrum(values: Floats, rate: float) -> Floats:
+    """Return the one-sided periodogram under a Hann window [unit^2/Hz]."""
+    window = np.hanning(values.size)
+    return np.asarray(2 * np.abs(np.fft.rfft(values * window)) ** 2 / ((window**2).sum() * rate))
+
+
+def over_floor(power: Floats, expected: Floats) -> Floats | None:
+    """Return a spectrum over its noise [1]: the median of the neighbours or ``expected``, whichever is larger.
+
+    None where there are too few neighbours.
     """
     from scipy.ndimage import median_filter
 
-    if values.size < 4 * _NEIGHBOURS:
-        return np.zeros(0)
-    window = np.hanning(values.size)
-    power = 2 * np.abs(np.fft.rfft(values * window)) ** 2 / ((window**2).sum() * rate)
+    if power.size < 2 * _NEIGHBOURS:
+        return None
     floor = median_filter(power, size=2 * _NEIGHBOURS + 1, mode="reflect") / _LOG_MEDIAN
-    expected = density(np.arange(power.size) * rate / values.size)
-    ratio = power / np.maximum(floor, expected)
+    return np.asarray(power / np.maximum(floor, expected))
+
+
+def as_exponential(ratio: Floats) -> Floats:
+    """Return the exponential variate of the same p-value as a power over an estimated noise.
+
+    The ratio of an exponential variate to the mean of m others exceeds x with the probability ``(1 + x / m)^-m`` (an F
+    distribution).
+    """
     return np.asarray(_INDEPENDENT * np.log1p(ratio / _INDEPENDENT))

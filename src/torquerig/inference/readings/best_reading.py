@@ -1,0 +1,36 @@
+"""The reading of the samples that the nominal rig explains best.
+
+Each fact of the set-up that contradicts the recordings gives another reading of the same samples. The nominal rig is
+fitted to each. Readings are compared by the evidence per feature: they differ in the number of features.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from torquerig.inference.readings.clock import rescaled, set_point, speed_factor
+from torquerig.inference.readings.other_teeth import other_teeth
+from torquerig.inference.readings.reading import CLEARLY, Read, Reading, gain_of, per_feature
+from torquerig.inference.readings.sensor_scale import other_scale
+from torquerig.inference.readings.sensor_sign import other_sign
+from torquerig.rig.assembly import Rig
+
+
+def best_reading(as_stated: Reading, rig: Rig, read: Read) -> Reading:
+    """Return the reading of the runs that the nominal rig explains best; ``as_stated`` is the one without faults."""
+    runs = as_stated.runs
+    factor = speed_factor(runs, rig)
+    if factor is None:
+        return _corrected(other_teeth(as_stated, rig, read), rig)
+    best = _corrected(as_stated, rig)
+    others = [_corrected(replace(read(rig, made), faults=(fault,)), rig) for made, fault in rescaled(runs, factor)]
+    stated = replace(best, faults=(*best.faults, set_point(runs, factor)))
+    ranked = sorted([stated, *others], key=lambda each: -per_feature(each.fit))
+    first = ranked[0]
+    near = [each.faults[-1].kind for each in ranked[1:] if gain_of(first.fit, each.fit) <= CLEARLY]
+    return replace(first, faults=(*first.faults[:-1], replace(first.faults[-1], equivalent_to=tuple(near))))
+
+
+def _corrected(reading: Reading, rig: Rig) -> Reading:
+    """Return the reading with sense and scale of the sensor corrected where they contradict the recordings."""
+    return other_scale(other_sign(reading, rig), rig)

@@ -1,0 +1,73 @@
+"""Runs as they are read with facts of the set-up corrected, the nominal fit to them, and the faults."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from torquerig.diagnosis.looking.places import Place
+from torquerig.inference.fit import Data, Fit
+from torquerig.inference.measured_run import MeasuredRun
+from torquerig.rig.assembly import Rig
+
+CLEARLY = 15.0  # [nats] by which another reading must explain the features better: 3e6 to 1
+SLIP_LOG_ODDS = -5.0  # 0.7 % of the facts of a set-up are slips of pen, unit or data sheet
+
+
+@dataclass(frozen=True, kw_only=True)
+class SetupFault:
+    """A fact of the set-up as it is stated and as the recordings show it.
+
+    Parameters
+    ----------
+    kind : str
+        As the contract names it.
+    of : str
+        The sensor, the encoder, the stage or the recordings.
+    stated, estimated : float
+    unit : str
+    equivalent_to : tuple of str
+        Other kinds that explain the features as well.
+    explanation : str
+    interval : (float, float) or None
+        95 % interval of the estimate; None where it follows from the fit or from the set-points.
+    """
+
+    kind: str
+    of: str
+    stated: float
+    estimated: float
+    unit: str
+    equivalent_to: tuple[str, ...]
+    explanation: str
+    interval: tuple[float, float] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Reading:
+    """The runs as they are read, the nominal fit to them, and the faults that were corrected."""
+
+    runs: tuple[MeasuredRun, ...]
+    data: Data
+    fit: Fit
+    faults: tuple[SetupFault, ...] = ()
+
+
+class Read(Protocol):
+    """Returns runs as a rig reads them, by default measured anew, with features at its lines and at other places."""
+
+    def __call__(
+        self, rig: Rig, /, runs: Sequence[MeasuredRun] | None = None, *, also: Sequence[Place] = ()
+    ) -> Reading:
+        """Return the reading with the nominal fit."""
+
+
+def per_feature(fit: Fit) -> float:
+    """Return the log-evidence per feature [nats]."""
+    return fit.log_evidence / max(fit.value.size, 1)
+
+
+def gain_of(better: Fit, worse: Fit) -> float:
+    """Return by how much one fit explains features better [nats]; two readings may differ in the number of features."""
+    return min(better.value.size, worse.value.size) * (per_feature(better) - per_feature(worse))

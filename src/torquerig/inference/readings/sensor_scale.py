@@ -1,0 +1,78 @@
+"""Another scale of the sensor: where lines and mean torques all have another size."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from torquerig.inference.fit import fitted
+from torquerig.inference.likelihood import floor_density
+from torquerig.inference.prediction.expected_run import expected_run
+from torquerig.inference.readings.reading import CLEARLY, Reading, SetupFault, gain_of
+from torquerig.rig.assembly import Rig
+
+SLIPS = tuple(sorted(one**sign for one in (2**0.5, 2.0, 4.0, 10.0, 100.0, 1000.0) for sign in (-1, 1)))
+_NEAR_SLIP = 0.14  # of the logarithm: half the distance of the nearest two slips, 1.41 and 2, less a margin of 0.03
+_FAR_SCALE = float(np.log(1.3))  # of the median size: nearer than this, numbers of the parts explain it
+_WIDE = 1.4  # of the logarithm of the scale: a factor of 4
+_MOVED = 2.0  # [standard deviations] a number that is off does not stay nearer to its stated value
+_STRONG, _LARGE = 10.0, 0.2  # times the noise, and of the largest level: lines and levels that show a scale
+
+
+def other_scale(reading: Reading, rig: Rig) -> Reading:
+    """Return the reading with another scale of the sensor where lines and levels all have it."""
+    fit, ratio = reading.fit, _ratio_of_sizes(reading)
+    columns = [at for at, knob in enumerate(fit.knobs) if (knob.part, knob.field) == (rig.measured, "scale")]
+    if not columns or abs(np.log(ratio)) < _FAR_SCALE:
+        return reading
+    knobs, start = list(fit.knobs), np.zeros(len(fit.knobs))
+    knobs[columns[0]] = replace(knobs[columns[0]], spread=_WIDE)
+    start[columns[0]] = np.log(ratio) / _WIDE
+    again = fitted(fit.rig, knobs, reading.data, start=start)
+    stated = knobs[columns[0]].value(fit.rig)
+    found = knobs[columns[0]].turned(stated, float(again.positions[columns[0]]))
+    if slip(found / stated) != found / stated:  # then it is that slip, and known as well as the stated value was
+        found = stated * slip(found / stated)
+        sensor = replace(fit.rig.part(rig.measured), scale=found)  # type: ignore[call-arg]
+        again = fitted(fit.rig.changed(sensor), fit.knobs, reading.data, nominal=fit.nominal)
+    if gain_of(again, fit) <= CLEARLY or again.log_evidence < _best_number(reading, columns[0]):
+        return reading
+    fault = SetupFault(
+        kind="sensor_scale", of=rig.measured, stated=stated, estimated=found, unit="1",
+        equivalent_to=(),
+        explanation=f"The sensor {rig.measured} reads {found:.4g} times the torque that the scenario and the sidecars "
+        "state.",
+    )  # fmt: skip
+    return Reading(reading.runs, reading.data, again, (fault, *reading.faults))
+
+
+def _best_number(reading: Reading, scale: int) -> float:
+    """Return the largest evidence [nats] with one number of the rig far from its stated value in place of the scale."""
+    fit, best = reading.fit, -np.inf
+    for at in np.flatnonzero(np.abs(fit.positions) > _MOVED).tolist():
+        knob = fit.knobs[at]
+        if at != scale and knob.factor and knob.spread < _WIDE:
+            knobs, start = list(fit.knobs), np.zeros(len(fit.knobs))
+            knobs[at], start[at] = replace(knob, spread=_WIDE), fit.positions[at] * knob.spread / _WIDE
+            best = max(best, fitted(fit.rig, knobs, reading.data, start=start).log_evidence)
+    return best
+
+
+def slip(ratio: float) -> float:
+    """Return the common slip of unit, range or count that a ratio is near to, else the ratio itself."""
+    near = min(SLIPS, key=lambda one: abs(np.log(ratio / one)))
+    return near if abs(np.log(ratio / near)) < _NEAR_SLIP else ratio
+
+
+def _ratio_of_sizes(reading: Reading) -> float:
+    """Return the median ratio of measured and stated sizes, over all strong lines and all levels."""
+    logs = list[float]()
+    for seen in reading.data.seen:
+        stated = expected_run(reading.fit.nominal, seen)
+        noise = seen.lines.noise_bandwidth * floor_density(seen, stated)
+        strong = (seen.lines.count > 0) & (seen.lines.power > _STRONG * noise) & (stated.line_power > 0)
+        logs += (0.5 * np.log((seen.lines.power - noise)[strong] / stated.line_power[strong])).tolist()
+        large = np.abs(stated.level) > _LARGE * np.abs(stated.level).max(initial=0.0)
+        logs += np.log(np.maximum(np.abs(seen.level[large]), 1e-12) / np.abs(stated.level[large])).tolist()
+    return float(np.exp(np.median(logs))) if logs else 1.0

@@ -1,0 +1,41 @@
+"""The other sense of the sensor: where all mean torques have the other sign."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from torquerig.inference.features.run_features import RunFeatures
+from torquerig.inference.fit import fitted
+from torquerig.inference.measured_run import MeasuredRun
+from torquerig.inference.readings.reading import CLEARLY, Reading, SetupFault, gain_of
+from torquerig.rig.assembly import Rig
+
+_SIGN_MATTERS = 3  # levels at least, with a mean that exceeds their scatter
+
+
+def other_sign(reading: Reading, rig: Rig) -> Reading:
+    """Return the reading with the torque of the other sign where all mean torques have it."""
+    measured = np.concatenate([seen.level for seen in reading.data.seen])
+    expected = np.concatenate([each.level for each in reading.fit.expected])
+    tells = measured.size >= _SIGN_MATTERS and abs(expected.mean()) > expected.std() / np.sqrt(expected.size)
+    if not tells or float(measured @ expected) >= 0:
+        return reading
+    runs = tuple(replace(run, torque=-run.torque) for run in reading.runs)
+    by_name = {run.name: run for run in runs}
+    seen = tuple(_reversed(one, by_name[one.run.name]) for one in reading.data.seen)
+    data, fit = replace(reading.data, seen=seen), reading.fit
+    again = fitted(fit.rig, fit.knobs, data)
+    if gain_of(again, fit) <= CLEARLY:
+        return reading
+    fault = SetupFault(
+        kind="sensor_sign", of=rig.measured, stated=1.0, estimated=-1.0, unit="1", equivalent_to=(),
+        explanation=f"The sensor {rig.measured} reads with the other sign than the scenario states: it is mounted the "
+        "other way round, or its cable is.",
+    )  # fmt: skip
+    return Reading(runs, data, again, (fault, *reading.faults))
+
+
+def _reversed(seen: RunFeatures, run: MeasuredRun) -> RunFeatures:
+    return replace(seen, run=run, level=-seen.level)
