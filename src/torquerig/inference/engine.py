@@ -17,7 +17,7 @@ from torquerig.inference.fit import Data, Fit, fitted
 from torquerig.inference.measured_run import MeasuredRun, measured_runs
 from torquerig.inference.model_density import model_densities
 from torquerig.inference.parameters import parameters
-from torquerig.inference.readings import Reading, SetupFault, best_reading
+from torquerig.inference.readings import SET_POINT_ERROR, Reading, SetupFault, best_reading
 from torquerig.inference.sample_faults import sample_faults, usable_runs
 from torquerig.inference.search import Model, searched
 from torquerig.recordings.recording import Recording
@@ -154,7 +154,8 @@ def prepared(
         return Reading(tuple(runs), seen, fitted(of, parameters(scenario, of, runs), seen))
 
     stated = read(rig, measured)
-    reading = best_reading(stated, rig, read) if judged else stated
+    within = scenario.operating_point.speed_set_point_error_max or SET_POINT_ERROR
+    reading = best_reading(stated, rig, read, set_point_error=within) if judged else stated
     known = reading.data.seen[0].places
     samples = faults.without_scaled_codes(each.estimated for each in reading.faults if each.kind == "sensor_scale")
     return Prepared(reading.runs, known, reading.data, reading.fit, stated, reading.faults, samples, judged)

@@ -19,6 +19,7 @@ from torquerig.inference.features.line_search import FoundLine
 from torquerig.inference.fit import Data, Fit, all_residuals, fitted, hessian_of
 from torquerig.inference.held_out import held_out_density
 from torquerig.inference.likelihood import log_density_of, weights
+from torquerig.inference.one_number import at_stated, without_priors
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
 from torquerig.rig.assembly import Rig
 
@@ -120,12 +121,12 @@ def _compared(fit: Fit, each: Addition, held: Data, before: float) -> float:
     """Return the held-out log-likelihood that an addition must exceed [nats].
 
     That is ``before`` for parts. A number that is far off has moved already, against its prior: it is compared with the
-    stated one.
+    stated one, to which all others have followed.
     """
     if each.parts:
         return before
-    near = [0.0 if knob.name in each.names else 1.0 for knob in fit.knobs]
-    return held_out_density(replace(fit, positions=fit.positions * np.array(near)), held)
+    (column,) = [at for at, knob in enumerate(fit.knobs) if knob.name in each.names]
+    return held_out_density(at_stated(fit, column), held)
 
 
 def _fitted(model: Model, data: Data, screened: Sequence[tuple[Addition, tuple[float, ...]]]) -> list[Model]:
@@ -137,6 +138,7 @@ def _fitted(model: Model, data: Data, screened: Sequence[tuple[Addition, tuple[f
             each.variant,
             each.places,
             *(getattr(part, "at", "") for part in each.parts),
+            *(() if each.parts else each.names),
         )
         if len(kinds) < FITTED:
             kinds.setdefault(kind, (each, start))
@@ -154,9 +156,9 @@ def _screened(context: Context, each: Addition) -> tuple[float, tuple[float, ...
 def _promised(context: Context, each: Addition, start: tuple[float, ...]) -> float:
     """Return the gain with the other parameters moved by one linear step."""
     fit, data = context.fit, context.data
-    if not each.parts:  # a number with a wider prior gains at most what the narrow one costs
-        held = [at for at, knob in enumerate(fit.knobs) if knob.name in each.names]
-        return 0.5 * float(np.square(fit.positions[held]).sum()) + each.log_odds
+    if not each.parts:  # a number with a wider prior gains at most what it would gain without one
+        _, gains = without_priors(fit)
+        return float(sum(gains[at] for at, knob in enumerate(fit.knobs) if knob.name in each.names)) + each.log_odds
     expected = _expected(each.added_to(context.rig), each, start, data)
     if expected is None:
         return -np.inf

@@ -31,7 +31,7 @@ def as_json(outcome: Outcome) -> dict[str, Any]:
         number_answer(outcome.model.fit, each.knobs[0], confidence=confidence(outcome, each))
         for each, owner in far if owner is None
     )  # fmt: skip
-    faults = (fault_answer(each, outcome.model.fit, runs=len(outcome.runs)) for each in outcome.setup)
+    faults = (fault_answer(each, outcome.model.fit) for each in outcome.setup)
     word = verdict(outcome)
     return {
         "schema": SCHEMA,

@@ -2,41 +2,32 @@
 
 from __future__ import annotations
 
-from math import sqrt
 from typing import Any
 
 from torquerig.diagnosis.fitting.knobs import Knob
-from torquerig.inference.answer.numbers import MOST_SURE, TWO_SIDED, digits, estimate
+from torquerig.inference.answer.numbers import MOST_SURE, digits, estimate
 from torquerig.inference.fit import Fit
 from torquerig.inference.readings import SetupFault
 
-_SET_POINT = 0.01 / sqrt(3)  # [1] standard deviation of a speed whose set-point is kept to a per cent
 _KIND_OF = {"scale": "sensor_scale", "zero": "sensor_zero"}  # fields of a sensor that are facts of the set-up
 
 
-def fault_answer(each: SetupFault, fit: Fit, *, runs: int) -> dict[str, Any]:
-    """Return a fault of the set-up in the form of the contract; ``fit`` is that of so many runs, corrected."""
+def fault_answer(each: SetupFault, fit: Fit) -> dict[str, Any]:
+    """Return a fault of the set-up in the form of the contract; ``fit`` is that of the corrected runs."""
     return {
-        "kind": each.kind, "of": each.of, "stated": digits(each.stated), "estimated": _estimated(each, fit, runs),
+        "kind": each.kind, "of": each.of, "stated": digits(each.stated), "estimated": _estimated(each, fit),
         "confidence": MOST_SURE,  # of the class: the kind together with those that explain the features as well
         "equivalent_to": list(each.equivalent_to), "explanation": each.explanation,
     }  # fmt: skip
 
 
-def _estimated(each: SetupFault, fit: Fit, runs: int) -> dict[str, Any]:
-    """Return the estimate of a fault with its interval.
-
-    A scale is a parameter of the fit. Speeds are known to the tolerance of the set-points; a sign is certain.
-    """
+def _estimated(each: SetupFault, fit: Fit) -> dict[str, Any]:
+    """Return the estimate of a fault with its interval; a scale is a parameter of the fit, a sign is certain."""
     scale = [at for at, knob in enumerate(fit.knobs) if (knob.part, knob.field) == (each.of, "scale")]
     if each.kind == "sensor_scale" and scale:
         return estimate(fit, scale[0], each.unit)
-    if each.interval is not None:
-        low, high = each.interval
-        return {"value": digits(each.estimated), "ci95": [digits(low), digits(high)], "unit": each.unit}
-    half = 0.0 if each.kind == "sensor_sign" else TWO_SIDED * _SET_POINT / sqrt(runs) * abs(each.estimated)
-    ends = [digits(each.estimated - half), digits(each.estimated + half)]
-    return {"value": digits(each.estimated), "ci95": ends, "unit": each.unit}
+    low, high = each.interval or (each.estimated, each.estimated)
+    return {"value": digits(each.estimated), "ci95": [digits(low), digits(high)], "unit": each.unit}
 
 
 def number_answer(fit: Fit, knob: Knob, *, confidence: float) -> dict[str, Any]:

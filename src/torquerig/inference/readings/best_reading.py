@@ -16,15 +16,18 @@ from torquerig.inference.readings.sensor_sign import other_sign
 from torquerig.rig.assembly import Rig
 
 
-def best_reading(as_stated: Reading, rig: Rig, read: Read) -> Reading:
-    """Return the reading of the runs that the nominal rig explains best; ``as_stated`` is the one without faults."""
-    runs = as_stated.runs
-    factor = speed_factor(runs, rig)
+def best_reading(as_stated: Reading, rig: Rig, read: Read, *, set_point_error: float) -> Reading:
+    """Return the reading of the runs that the nominal rig explains best.
+
+    ``as_stated`` is the one without faults; ``set_point_error`` the largest error of a set-point of the speed [1].
+    """
+    factor = speed_factor(as_stated, rig, set_point_error=set_point_error)
     if factor is None:
         return _corrected(other_teeth(as_stated, rig, read), rig)
     best = _corrected(as_stated, rig)
-    others = [_corrected(replace(read(rig, made), faults=(fault,)), rig) for made, fault in rescaled(runs, factor)]
-    stated = replace(best, faults=(*best.faults, set_point(runs, factor)))
+    made = rescaled(as_stated.runs, factor)
+    others = [_corrected(replace(read(rig, runs), faults=(fault,)), rig) for runs, fault in made]
+    stated = replace(best, faults=(*best.faults, set_point(factor)))
     ranked = sorted([stated, *others], key=lambda each: -per_feature(each.fit))
     first = ranked[0]
     near = [each.faults[-1].kind for each in ranked[1:] if gain_of(first.fit, each.fit) <= CLEARLY]
