@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import sqrt
+from typing import Any, get_args, get_type_hints
 
 import numpy as np
 
 from torquerig.diagnosis.fitting.knobs import Knob, nuisance_knobs
 from torquerig.inference.measured_run import MeasuredRun
-from torquerig.rig.assembly import Rig
+from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.model import Scenario
 
 _RECTANGULAR = sqrt(3)  # half-width over standard deviation of a tolerance (JCGM 100:2008, 4.3.7)
 _ZERO = 0.05  # of the largest torque: standard deviation of a zero of which nothing is stated
 _SCALE = 0.002  # [1] standard deviation of a sensitivity of which nothing is stated
+_AMPLITUDE = (
+    0.25  # of the logarithm of a line's amplitude of which nothing is stated: no copy of a rig repeats it better
+)
 
 
 def parameters(scenario: Scenario, rig: Rig, runs: Sequence[MeasuredRun]) -> tuple[Knob, ...]:
@@ -22,7 +27,34 @@ def parameters(scenario: Scenario, rig: Rig, runs: Sequence[MeasuredRun]) -> tup
     occupancies = [run.run.occupancy_percent or 0.0 for run in runs]
     knobs = nuisance_knobs(rig, scenario.uncertainties, occupancies=occupancies)
     known = {knob.name for knob in knobs}
-    return (*knobs, *(knob for knob in _of_sensor(rig, runs) if knob.name not in known))
+    return (*knobs, *(knob for knob in (*amplitudes(rig), *_of_sensor(rig, runs)) if knob.name not in known))
+
+
+def amplitudes(rig: Rig) -> Iterator[Knob]:
+    """Yield the amplitudes of all stated lines: what a part declares as zero-to-peak, each entry of it."""
+    for part in rig.parts:
+        for name in _amplitude_fields(type(part)):
+            held = getattr(part, name)
+            entries = held if isinstance(held, Mapping) else dict(enumerate(held)) if isinstance(held, tuple) else None
+            if entries is None:
+                entries = {None: held}
+            yield from (Knob(part.name, name, _AMPLITUDE, key=key) for key, value in entries.items() if value)
+
+
+def _amplitude_fields(kind: type[Part]) -> tuple[str, ...]:
+    hints = get_type_hints(kind, include_extras=True)
+    return tuple(
+        name for name, hint in hints.items()
+        if any(phrase in one.meaning for one in _declared(hint) for phrase in ("zero-to-peak", "zero to peak"))
+    )  # fmt: skip
+
+
+def _declared(hint: Any) -> Iterator[Parameter]:
+    """Yield the declarations inside of a type: of a number, and of the entries of a tuple or mapping."""
+    yield from (one for one in getattr(hint, "__metadata__", ()) if isinstance(one, Parameter))
+    for inner in get_args(hint):
+        if not isinstance(inner, Parameter):
+            yield from _declared(inner)
 
 
 def _of_sensor(rig: Rig, runs: Sequence[MeasuredRun]) -> tuple[Knob, ...]:
