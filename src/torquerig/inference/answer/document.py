@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from torquerig.inference.answer.confidence import confidence, far_numbers, named, nameless
+from torquerig.inference.answer.confidence import far_numbers, named, nameless
 from torquerig.inference.answer.effects import finding, finding_of_number, unnamed
 from torquerig.inference.answer.held_out_figures import fit_figures
 from torquerig.inference.answer.isolated import next_experiment, next_experiment_for_nameless, upper_limits
@@ -27,10 +27,7 @@ SCHEMA = "torquerig.diagnosis/1"
 def as_json(outcome: Outcome) -> dict[str, Any]:
     """Return the answer in the contract's form."""
     far = [(each, owned(outcome, each)) for each in far_numbers(outcome)]
-    numbers = (
-        number_answer(outcome.model.fit, each.knobs[0], confidence=confidence(outcome, each))
-        for each, owner in far if owner is None
-    )  # fmt: skip
+    numbers = (number_answer(outcome, each) for each, owner in far if owner is None)
     faults = (fault_answer(each, outcome.model.fit) for each in outcome.setup)
     word = verdict(outcome)
     return {

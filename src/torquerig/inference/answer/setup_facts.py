@@ -5,7 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from torquerig.diagnosis.fitting.knobs import Knob
+from torquerig.inference.addition import Addition
+from torquerig.inference.answer.confidence import ALIKE, alternatives, confidence
 from torquerig.inference.answer.numbers import MOST_SURE, digits, estimate
+from torquerig.inference.engine import Outcome
 from torquerig.inference.fit import Fit
 from torquerig.inference.readings import SetupFault
 
@@ -30,19 +33,30 @@ def _estimated(each: SetupFault, fit: Fit) -> dict[str, Any]:
     return {"value": digits(each.estimated), "ci95": [digits(low), digits(high)], "unit": each.unit}
 
 
-def number_answer(fit: Fit, knob: Knob, *, confidence: float) -> dict[str, Any]:
-    """Return a number of the rig that is far from its stated value, in the form of the contract."""
-    column = [one.name for one in fit.knobs].index(knob.name)
-    estimated = estimate(fit, column, _unit_of(fit, knob))
+def number_answer(outcome: Outcome, each: Addition) -> dict[str, Any]:
+    """Return a number of the rig that is far from its stated value, in the form of the contract.
+
+    Other numbers and mechanisms that the recordings do not exclude in its place are alternatives.
+    """
+    fit, knob = outcome.model.fit, each.knobs[0]
+    estimated = estimate(fit, [one.name for one in fit.knobs].index(knob.name), _unit_of(fit, knob))
+    near = [other for other, gap in alternatives(outcome, each) if gap < ALIKE and (other.is_named or not other.parts)]
+    numbers = [other.knobs[0].name for other in near if not other.is_named]
+    instead = f" They do not exclude that {' or '.join(numbers)} is off instead." if numbers else ""
     return {
-        "kind": _KIND_OF.get(knob.field, "parameter"),
+        "kind": _kind_of(each),
         "of": knob.part if knob.field in _KIND_OF else knob.name,
         "stated": digits(knob.value(fit.nominal)),
         "estimated": estimated,
-        "confidence": round(confidence, 3), "equivalent_to": [],
+        "confidence": round(confidence(outcome, each), 3),
+        "equivalent_to": sorted({_kind_of(other) for other in near} - {_kind_of(each)}),
         "explanation": f"The recordings fit if {knob.name} is {estimated['value']:g} instead of "
-        f"{knob.value(fit.nominal):.4g} {estimated['unit']}.",
+        f"{knob.value(fit.nominal):.4g} {estimated['unit']}.{instead}",
     }  # fmt: skip
+
+
+def _kind_of(each: Addition) -> str:
+    return each.mechanism or _KIND_OF.get(each.knobs[0].field, "parameter")
 
 
 def _unit_of(fit: Fit, knob: Knob) -> str:

@@ -1,0 +1,59 @@
+"""What one parameter of a fit does to the others, on a model that is linear."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from torquerig.diagnosis.fitting.knobs import Knob
+from torquerig.inference.fit import Fit
+from torquerig.inference.likelihood import Discrepancy
+from torquerig.inference.one_number import at_stated, without_priors
+
+KNOBS = tuple(Knob("part", name, 0.1) for name in ("first", "second"))
+SLOPES = np.array([[1.0, 1.0], [1.0, 0.9], [0.2, 0.3], [0.0, 0.4]])
+MEASURED = np.array([0.3, 0.25, 0.1, -0.05])  # small: Student's weights are then those of its middle
+
+
+def posterior(weights, *, prior=(1.0, 1.0)):
+    """Return the maximum of a linear model with the given prior precisions."""
+    hessian = SLOPES.T @ (weights[:, None] * SLOPES) + np.diag(prior)
+    return np.linalg.solve(hessian, SLOPES.T @ (weights * MEASURED))
+
+
+@pytest.fixture
+def fit():
+    weights = np.full(4, 9.0 / 8.0)
+    positions = posterior(weights)
+    nothing = SimpleNamespace()
+    return Fit(
+        nothing, nothing, KNOBS, positions, np.zeros(0), Discrepancy(), (), 0.0, -SLOPES, np.zeros(4), np.ones(4)
+    )
+
+
+@pytest.mark.parametrize(("column", "prior"), [(0, (0.0, 1.0)), (1, (1.0, 0.0))])
+def test_a_parameter_without_its_prior_is_where_a_fit_without_it_leads(fit, column, prior):
+    moved, gains = without_priors(fit)
+    assert moved[column] == pytest.approx(posterior(np.full(4, 9.0 / 8.0), prior=prior)[column])
+    assert gains[column] >= 0.5 * fit.positions[column] ** 2
+
+
+def test_a_number_that_is_held_moves_those_that_explain_the_same(fit):
+    held = at_stated(fit, 0)
+    assert held.positions[0] == pytest.approx(0.0)
+    weights = np.full(4, 9.0 / 8.0)
+    alone = (SLOPES[:, 1] @ (weights * MEASURED)) / (SLOPES[:, 1] @ (weights * SLOPES[:, 1]) + 1.0)
+    assert held.positions[1] == pytest.approx(alone)
+
+
+def test_of_two_that_explain_the_same_the_stiff_one_gains_most_without_its_prior():
+    slopes = np.array([[3.0, 0.1], [3.0, 0.1]])  # the second has a spread thirty times smaller
+    hessian = slopes.T @ (9.0 / 8.0 * slopes) + np.eye(2)
+    positions = np.linalg.solve(hessian, slopes.T @ (9.0 / 8.0 * np.array([6.0, 6.0])))
+    nothing = SimpleNamespace()
+    fit = Fit(nothing, nothing, KNOBS, positions, np.zeros(0), Discrepancy(), (), 0.0, -slopes, np.zeros(2), np.ones(2))
+    moved, gains = without_priors(fit)
+    assert abs(positions[1]) < 0.2 < 10 < abs(moved[1])
+    assert gains == pytest.approx([gains[0]] * 2, rel=0.1)
