@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from tests.inference.drawn_runs import drawn_run, ramp, steady
 from torquerig.diagnosis.looking.places import frequency, order
 from torquerig.inference.features.line_search import search_lines
+from torquerig.inference.features.line_skirts import exceeds_surroundings
 from torquerig.inference.features.run_features import run_features
 
 NOISE, RATE = 0.1, 2000.0
@@ -65,3 +68,39 @@ def test_noise_has_no_lines():
     # p-value 0.001 a search: more than one of 40 finds something by chance with a probability of 8e-4
     runs = [[drawn_run(seed, speed=steady(1000))] for seed in range(100, 140)]
     assert sum(bool(search_lines(run, [], [nothing])) for run in runs) <= 1
+
+
+def smeared(seed, width):
+    """Return a run with a tone of 300 Hz whose phase walks at random, as wide as ``width`` [Hz], and order 7."""
+    run = drawn_run(seed, speed=steady(1000), orders={7.0: 0.05}, noise=NOISE)
+    walk = np.cumsum(np.sqrt(2 * np.pi * width / RATE) * np.random.default_rng(seed).standard_normal(run.torque.size))
+    time = np.arange(run.torque.size) / RATE
+    torque = run.torque + np.cos(2 * np.pi * 300 * time + walk)
+    return replace(run, torque=torque)
+
+
+@pytest.mark.parametrize("width", [0.5, 2.0])
+def test_a_line_that_is_wider_than_a_bin_is_few_lines(width):
+    for seed in (7, 8, 9):
+        found = [line.place for line in search_lines([smeared(seed, width)], [], [nothing])]
+        turning = steady(1000)[0] / (2 * np.pi)
+        tones = [place.at * turning if place.domain == "order" else place.at for place in found]
+        assert any(at == pytest.approx(7 * turning, abs=0.2) for at in tones)
+        assert len(found) <= 6  # as many as blocks may have a peak of their own; bins that exceed the noise: some 50
+
+
+def test_a_line_on_top_of_a_wider_one_stands_out():
+    bins = np.arange(400)
+    ratios = np.random.default_rng(1).exponential(size=400) * np.where(abs(bins - 200) < 40, 20.0, 1.0)
+    ratios[215:218] = 20.0 * np.array([10.0, 40.0, 10.0])
+    peak = 170 + int(np.argmax(ratios[170:200]))  # the highest of the wide one's peaks there
+    assert exceeds_surroundings(ratios, 216, level=1e-3)
+    assert not exceeds_surroundings(ratios, peak, level=1e-3)
+    ratios[214:219] = np.nan  # removed: nothing else in the range is a line
+    assert not exceeds_surroundings(ratios, peak, level=1e-3)
+
+
+def test_a_line_next_to_a_removed_one_stands_out():
+    ratios = np.random.default_rng(2).exponential(size=400)
+    ratios[195:206], ratios[207:210] = np.nan, (30.0, 90.0, 30.0)
+    assert exceeds_surroundings(ratios, 208, level=1e-3)

@@ -5,4 +5,5 @@ bands           spectrum without the lines, in bands     run_features    all of 
 side_lines      where a line may have side lines         segment        blocks of a run at one speed
 impacts         envelopes over the angle                kept            answers that a fit asks for again
 noise_ratios    power over noise, for                    line_search     lines that no model has, in all runs
+line_skirts     whether a peak is a line or part of something wider
 """

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import pi
 from typing import Literal
@@ -13,6 +13,7 @@ from scipy.special import gammaincc
 
 from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.features.line_places import HIGHEST, line_frequencies
+from torquerig.inference.features.line_skirts import exceeds_surroundings
 from torquerig.inference.features.noise_ratios import NEAR, Density, NoiseRatios, noise_ratios
 from torquerig.inference.measured_run import MeasuredRun
 
@@ -76,6 +77,7 @@ def search_lines(
 
 def _new_lines(ratios: Sequence[NoiseRatios], found: Sequence[FoundLine]) -> list[FoundLine]:
     """Return the new lines, clearest first; what is near a stronger one in every block that shows it is left out."""
+    tests = _tests(ratios)
     candidates = [*_peaks(ratios, "order"), *_peaks(ratios, "frequency")]
     candidates.sort(key=lambda each: (each.log_p, -each.power * (_ORDER if each.place.domain == "order" else 1.0)))
     accepted: list[FoundLine] = []
@@ -83,6 +85,8 @@ def _new_lines(ratios: Sequence[NoiseRatios], found: Sequence[FoundLine]) -> lis
         if accepted and each.log_p > _SKIRT_LOG * accepted[0].log_p:
             break
         if any(_same(each.place, other.place, ratios) for other in (*found, *accepted)):
+            continue
+        if not _stands_out(each.place, ratios, tests):
             continue
         elsewhere = [
             other.log_p for other in candidates
@@ -144,7 +148,6 @@ def _scores(ratios: Sequence[NoiseRatios], domain: str) -> tuple[Floats, Floats,
     if not rows:
         return np.zeros(0), np.zeros(0), np.zeros(0)
     grid = _grid(ratios, domain)
-    tests = sum(_grid(ratios, each).size for each in ("order", "frequency"))  # the same in both, which then compare
     log_p, counted, power = (np.zeros(grid.size) for _ in range(3))
     for run in {id(each.run): each.run for _, _, each in rows}.values():
         total, count = np.zeros(grid.size), np.zeros(grid.size)
@@ -163,9 +166,14 @@ def _scores(ratios: Sequence[NoiseRatios], domain: str) -> tuple[Floats, Floats,
     combined = np.where(counted > 0, _log_gamma_tail(np.maximum(counted, 1), -log_p), 0.0)
     return (
         np.asarray(grid),
-        np.asarray(combined + np.log(max(tests / _OVERSAMPLED, 1))),
+        np.asarray(combined + np.log(_tests(ratios))),
         np.asarray(power),
     )
+
+
+def _tests(ratios: Sequence[NoiseRatios]) -> float:
+    """Return the number of independent places of both domains, by which the p-values of both are multiplied."""
+    return max(sum(_grid(ratios, each).size for each in ("order", "frequency")) / _OVERSAMPLED, 1.0)
 
 
 def _grid(ratios: Sequence[NoiseRatios], domain: str) -> Floats:
@@ -202,16 +210,31 @@ def _log_gamma_tail(shape: Floats, value: Floats) -> Floats:
     return np.asarray(np.where(tail > 1e-250, np.log(np.maximum(tail, 1e-300)), far))
 
 
+def _stands_out(place: Place, ratios: Sequence[NoiseRatios], tests: float) -> bool:
+    """Return whether a peak is a line also if only blocks count in which it is no part of a wider line or hump.
+
+    A line that is wider than a bin (a speed that wanders, impacts that slip) has many peaks, each block others.
+    """
+    values = [own[at] for _, own, at in _shown(place, ratios) if exceeds_surroundings(own, at, level=LEVEL)]
+    total = np.minimum(values, _MOST_OF_A_BLOCK).sum()
+    count = np.array(float(max(len(values), 1)))
+    return bool(_log_gamma_tail(count, np.array(max(total, 1e-9))) + np.log(tests) < np.log(LEVEL))
+
+
+def _shown(place: Place, ratios: Sequence[NoiseRatios]) -> Iterator[tuple[NoiseRatios, Floats, int]]:
+    """Yield the blocks that show a line, with the ratios along its domain and the bin that it is in."""
+    for each in ratios:
+        turning = place.domain == "order"
+        values, step = (each.by_order, each.order_step) if turning else (each.by_frequency, each.frequency_step)
+        index = round(place.at / step)
+        if 0 < index < values.size and values[index] >= _SHOWN:
+            yield each, values, index
+
+
 def _same(one: Place, other: Place, ratios: Sequence[NoiseRatios]) -> bool:
     """Return whether ``one`` is near ``other`` in every block that shows ``one``."""
     near = []
-    for each in ratios:
-        values, step = (
-            (each.by_order, each.order_step) if one.domain == "order" else (each.by_frequency, each.frequency_step)
-        )
-        index = round(one.at / step)
-        if not 0 < index < values.size or not values[index] >= _SHOWN:
-            continue
+    for each, _, _ in _shown(one, ratios):
         slow, fast = line_frequencies([other], np.array(each.speeds))[:, 0]
         low, high = line_frequencies([one], np.array(each.speeds))[:, 0]
         width = max(NEAR * each.frequency_step, each.smearing * max(high, fast))
