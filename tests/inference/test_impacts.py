@@ -11,6 +11,7 @@ from scipy.signal import lfilter
 from tests.inference.drawn_runs import drawn_run, steady
 from torquerig.inference.features.impacts import search_impacts
 from torquerig.inference.features.run_features import run_features
+from torquerig.inference.prediction.ringing import share_in_line
 
 RATE = 2000.0
 
@@ -41,3 +42,16 @@ def test_noise_has_no_impacts():
 
 def test_what_passes_once_in_three_turns_is_no_bearing():
     assert found(struck(1 / 3, seed=3, size=2.0), struck(1 / 3, seed=4, size=2.0)) is None
+
+
+@pytest.mark.parametrize("multiple", [1, 4, 12])
+@pytest.mark.parametrize("slip", [0.002, 0.012])
+def test_impacts_that_slip_leave_in_a_line_what_a_random_walk_leaves(multiple, slip):
+    rng, impacts, power = np.random.default_rng(1), 300, []
+    for _ in range(200):
+        turned = np.cumsum(1 + slip * rng.standard_normal(impacts)) - rng.uniform()
+        window = 0.5 * (1 - np.cos(2 * np.pi * np.clip(turned / impacts, 0, 1)))
+        power.append(abs((window * np.exp(2j * np.pi * multiple * turned)).sum() / window.sum()) ** 2)
+    share = share_in_line(np.array(multiple), slip, impacts)
+    assert np.mean(power) == pytest.approx(share, rel=0.25)  # 200 exponential variates: 3 sd are 0.21
+    assert np.log(power).var() == pytest.approx(np.pi**2 / 6 * (1 - share) ** 2, rel=0.5, abs=0.1)

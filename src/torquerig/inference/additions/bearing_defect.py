@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import log, pi
+
+import numpy as np
 
 from torquerig import mechanisms
 from torquerig.diagnosis.fitting.knobs import Knob
@@ -40,6 +42,8 @@ def propose(context: Context) -> Iterator[Addition]:
 def _impacts(context: Context, shaft: Shaft, impact: Impact) -> Addition:
     name, own = free_name(context.rig, "bearing_defect"), impact.order * shaft.turns
     comb = _comb(context, own)
+    own = refined(own, [place.at for place in comb if place.domain == "order"])
+    impact = replace(impact, order=own / shaft.turns)
     part = mechanisms.BearingDefect(
         name=name, at=shaft.part, order_output=impact.order, ring_frequency=impact.frequency, damping=_DAMPING,
         amplitude=SHARE_OF_SIGNAL * context.signal, slip=_SLIP,
@@ -68,6 +72,14 @@ def _comb(context: Context, order: float) -> tuple[Place, ...]:
         if any(at > 0.5 * base and abs(at - round(at / base) * base) < within for at, base, within in bases):
             answer.append(place)
     return tuple(answer)
+
+
+def refined(order: float, comb: Sequence[float]) -> float:
+    """Return the order of impacts by the found lines of their comb [1/rev]: the median of what each multiple says.
+
+    The beat of an envelope has the width of a few of its periods; a line is sharper by its multiple.
+    """
+    return float(np.median([at / max(round(at / order), 1) for at in comb])) if comb else order
 
 
 def largest_factor(log_p: float) -> float:

@@ -56,7 +56,8 @@ class ExpectedRun:
     line_range : ndarray, shape (segments, places)
         Standard deviation of the logarithm of ``line_power`` over the speeds of a segment [1].
     line_beat : ndarray, shape (segments, places)
-        Variance of the logarithm of ``line_power`` where several lines share a place and beat [1].
+        Variance of the logarithm of ``line_power`` where several lines share a place and beat, or a line is noise in
+        part [1].
     load_clumping : float
         Variance of the logarithm of a load's power in a time T, common to all bands, times T [s].
     """

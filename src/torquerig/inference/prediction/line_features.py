@@ -49,7 +49,7 @@ class LineFeatures:
 def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
     """Return where the lines of a rig show in the features of a run."""
     count, places = len(seen.segments), len(seen.places)
-    power, moved, varied, strongest = (np.zeros((count, places)) for _ in range(4))
+    power, moved, varied, strongest, aligned, noisy = (np.zeros((count, places)) for _ in range(6))
     density, unshown = np.zeros((count, seen.bands.low.size)), list[UnshownLines]()
     turning = np.maximum(np.abs(seen.speed) / (2 * pi), 1e-12)
     core, excluded = core_of(seen), seen.line_excluded
@@ -64,7 +64,10 @@ def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
             kept = 1 - skirts.lost(each.frequency / turning, np.where(at, core[there], 0.0))
             hole = np.where(at, excluded[there], 0.0)
             density += density_of(skirts, seen, each.frequency, np.where(at | inside, 0.5 * each.square, 0.0), hole)
-        for total, values in ((power, each.square), (moved, each.shifted), (varied, each.square * each.varied)):
+        for total, values in (
+            (power, each.square), (moved, each.shifted), (varied, each.square * each.varied),
+            (aligned, each.square * routes.aligned), (noisy, each.square * each.scatter),
+        ):  # fmt: skip
             np.add.at(total, (row[at], routes.place[at]), (routes.share * kept * values)[at])
         np.maximum.at(strongest, (row[at], routes.place[at]), (routes.share * kept * each.square)[at])
         without = np.where(inside, 0.5 * kept * each.square, 0.0)
@@ -74,16 +77,20 @@ def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
             orders = (each.frequency / (turning if each.follows else 1.0))[:, 0]
             unshown.append(UnshownLines(orders, np.where(at, 0.0, 0.5 * each.square), each.follows))
     slope = np.log(np.maximum(moved, _NOTHING) / np.maximum(power, _NOTHING)) / SHIFT * (power > 0)
-    beat = beat_variance(power, strongest, seen.lines.count)
+    beat = beat_variance(
+        power, strongest, np.where(aligned - strongest > 0.5 * (power - strongest), 1.0, seen.lines.count)
+    )
+    beat = beat + noisy / np.maximum(power, _NOTHING) / np.maximum(seen.lines.count, 1.0)
     return LineFeatures(power, slope, varied / np.maximum(power, _NOTHING), beat, density, tuple(unshown))
 
 
 def beat_variance(power: Floats, strongest: Floats, count: Floats) -> Floats:
-    """Return the variance of the logarithm of the power of lines that share a place and are not of one frequency.
+    """Return the variance of the logarithm of the power of lines that share a place, their phases unknown.
 
     Two phasors of random phase, r the ratio of their powers: ``var ln|1 + sqrt(r) exp(i phi)|^2 = 2 Li2(r)``, Li2 the
     dilogarithm, by the Fourier series ``2 sum (-1)^(k+1) r^(k/2) cos(k phi) / k``. All but the strongest line count as
-    the second phasor. In each of ``count`` blocks the phase is another one.
+    the second phasor. In each of ``count`` blocks the phase is another one; of lines of one frequency it is the same in
+    all, so that these count as one block.
     """
     ratio = np.clip((power - strongest) / np.maximum(strongest, _NOTHING), 0.0, 1.0)
     return np.asarray(2 * spence(1 - ratio) / np.maximum(count, 1.0))

@@ -15,6 +15,8 @@ Indices = NDArray[np.intp]
 
 _SHARP = 2.1  # [bins] half the width of a line that was found by regression; a smeared one is wider
 
+_ALIGNED = 0.25  # [bins] from a place: two lines at half a bin turn against each other by half a turn in a block
+
 
 @dataclass(frozen=True)
 class LineRoutes:
@@ -30,12 +32,15 @@ class LineRoutes:
         Index of the band that it is in, where it is in no place; -1 above and below all bands.
     width : ndarray
         Width of that band [Hz].
+    aligned : ndarray of bool
+        Whether it is so near to its place that it keeps its phase to a line there over a block.
     """
 
     place: Indices
     share: Floats
     band: Indices
     width: Floats
+    aligned: NDArray[np.bool_]
 
 
 def line_routes(seen: RunFeatures, frequency: Floats) -> LineRoutes:
@@ -47,6 +52,7 @@ def _routes(seen: RunFeatures, frequency: Floats) -> LineRoutes:
     lines, count = frequency.shape
     place, band = (np.full((lines, count), -1, dtype=np.intp) for _ in range(2))
     width, share = np.ones((lines, count)), np.ones((lines, count))
+    aligned = np.zeros((lines, count), dtype=bool)
     for index, segment in enumerate(seen.segments):
         at, own = frequency[:, index], seen.line_frequency[index]
         shown = np.flatnonzero(segment.line_count > 0)
@@ -58,10 +64,11 @@ def _routes(seen: RunFeatures, frequency: Floats) -> LineRoutes:
             place[inside, index] = shown[nearest[inside]]
             bins = distance * seen.duration_of(segment)
             sharp = reach * seen.duration_of(segment) <= _SHARP
+            aligned[:, index] = inside & (bins < _ALIGNED)
             share[inside, index] = np.where(sharp, hann_transform(bins) ** 2, 1.0)[inside]
         edges = np.append(segment.bands.low, segment.bands.high[-1:])
         found = np.searchsorted(edges, at, side="right") - 1
         within = (found >= 0) & (found < edges.size - 1) & (place[:, index] < 0)
         band[within, index] = found[within]
         width[within, index] = np.diff(edges)[found[within]]
-    return LineRoutes(place, share, band, width)
+    return LineRoutes(place, share, band, width, aligned)

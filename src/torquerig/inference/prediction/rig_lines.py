@@ -19,6 +19,7 @@ from torquerig.sensor_stages.tone import Tone, folded
 Floats = NDArray[np.float64]
 
 SHIFT = 0.01  # [1] of the frequencies of the modes, for a difference quotient
+_OF_EXPONENTIAL = pi**2 / 6  # variance of the logarithm of an exponential variate
 _SLOWEST = 0.05  # of the slowest band: slower than this the response of the shafts is that at rest
 
 
@@ -27,7 +28,8 @@ class RigLines(NamedTuple):
 
     Frequencies [Hz], mean squares of the amplitudes [(N m)^2], the same with all modes at ``1 - SHIFT`` of their
     frequency, standard deviations of the logarithm of the square over the speeds of each segment [1], and whether they
-    follow the shaft, that of ``node``.
+    follow the shaft, that of ``node``. ``scatter`` is the variance of the logarithm of the square in one block [1], of
+    lines that are noise in part.
     """
 
     frequency: Floats
@@ -36,6 +38,7 @@ class RigLines(NamedTuple):
     varied: Floats
     follows: bool
     node: str = ""
+    scatter: Floats | float = 0.0
 
 
 def rig_lines(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
@@ -46,25 +49,14 @@ def rig_lines(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
 
 
 def _at_the_sensor(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
-    lines = twin.lines()
-    if lines:
-        count, points = seen.speeds.shape
-        speeds = seen.speeds.ravel()
-        motor = speed_balance(twin, seen).motor
-        orders = np.array([line.order for line in lines])[:, None]
-        at = np.maximum(orders * np.abs(speeds) / (2 * pi), _SLOWEST * seen.run.slowest)
-        both = np.concatenate([at, at * (1 + SHIFT)], axis=1)
-        gain = np.abs(passed([line.transfer for line in lines], both)) * np.tile(sources(lines, motor), 2)
-        square, shifted = np.square(gain).reshape(len(lines), 2, count, points).transpose(1, 0, 2, 3)
-        varied = np.log(np.maximum(square, 1e-300)).std(axis=2)
-        frequency = orders * np.abs(seen.speed) / (2 * pi)
-        nodes = np.array([line.node for line in lines])
-        for node in dict.fromkeys(nodes.tolist()):
-            own = nodes == node
-            yield RigLines(frequency[own], square[own].mean(axis=2), shifted[own].mean(axis=2), varied[own], True, node)
-    for frequency, size in (crosstalk_lines(twin, seen), ringing_lines(twin, seen)):
-        if size.size:
-            yield RigLines(frequency, size**2, size**2, np.zeros(size.shape), True)
+    yield from _of_shafts(twin, seen)
+    frequency, size = crosstalk_lines(twin, seen)
+    if size.size:
+        yield RigLines(frequency, size**2, size**2, np.zeros(size.shape), True)
+    frequency, size, share = ringing_lines(twin, seen)
+    if size.size:
+        scatter = _OF_EXPONENTIAL * np.square(1 - share)
+        yield RigLines(frequency, size**2, size**2, np.zeros(size.shape), True, scatter=scatter)
     volts = seen.unit
     for stage in twin.rig.stages():
         if isinstance(stage, Tone):
@@ -72,3 +64,25 @@ def _at_the_sensor(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
             shape = (tones.size, seen.speed.size)
             square = np.broadcast_to(np.square(volts * np.array(stage.amplitudes))[:, None], shape)
             yield RigLines(np.broadcast_to(tones[:, None], shape), square, square, np.zeros(shape), False)
+
+
+def _of_shafts(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
+    """Yield the lines of each node."""
+    lines = twin.lines()
+    if not lines:
+        return
+    count, points = seen.speeds.shape
+    speeds = seen.speeds.ravel()
+    motor = speed_balance(twin, seen).motor
+    orders = np.array([line.order for line in lines])[:, None]
+    at = np.maximum(orders * np.abs(speeds) / (2 * pi), _SLOWEST * seen.run.slowest)
+    both = np.concatenate([at, at * (1 + SHIFT)], axis=1)
+    gain = np.abs(passed([line.transfer for line in lines], both)) * np.tile(sources(lines, motor), 2)
+    square, shifted = np.square(gain).reshape(len(lines), 2, count, points).transpose(1, 0, 2, 3)
+    varied = np.log(np.maximum(square, 1e-300)).std(axis=2)
+    frequency = orders * np.abs(seen.speed) / (2 * pi)
+    nodes = np.array([line.node for line in lines])
+    square, shifted = square.mean(axis=2), shifted.mean(axis=2)
+    for node in dict.fromkeys(nodes.tolist()):
+        own = nodes == node
+        yield RigLines(frequency[own], square[own], shifted[own], varied[own], True, node)
