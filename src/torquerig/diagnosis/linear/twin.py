@@ -30,7 +30,8 @@ class Passage(NamedTuple):
     """The transfer of something to the reading: ``response`` of the shafts on their grid, then the sensor's low-pass.
 
     Where ``answer`` is given it is multiplied by the size of that response at ``slower`` times the frequency. ``sway``
-    is the response of the motor's angle to the same thing [rad], None without a speed loop.
+    is the response of the motor's angle to the same thing [rad], None without a speed loop. ``acts`` holds the torques
+    on nodes that the thing is for the shafts, each per unit of it, a number or on their grid.
     """
 
     twin: Twin
@@ -38,6 +39,7 @@ class Passage(NamedTuple):
     sway: Response | None = None
     answer: Response | None = None
     slower: float = 1.0
+    acts: tuple[tuple[str, Response | float], ...] = ()
 
     def __call__(self, frequencies: Floats) -> Response:
         """Return the transfer at frequencies [Hz], shape (points,)."""
@@ -143,7 +145,8 @@ class Twin:
     def torque_on(self, node: str, against: str = GROUND) -> Passage:
         """Return the transfer of a torque between two nodes to the reading [N m per N m]."""
         sway = _torque(self.shafts.angle, node, against) if self.shafts.angle else None
-        return Passage(self, _torque(self.shafts.reading, node, against), sway)
+        acts = ((node, 1.0), *([] if against == GROUND else [(against, -1.0)]))
+        return Passage(self, _torque(self.shafts.reading, node, against), sway, acts=acts)
 
     def error_in(self, spring: str) -> Passage:
         """Return the transfer of a kinematic error in ``spring`` [rad at its b side] to the reading [N m per rad]."""
@@ -151,7 +154,8 @@ class Twin:
         force = np.asarray(term.stiffness + 2j * pi * self.shafts.frequency * term.damping, dtype=np.complex128)
         sway = _error(self.shafts.angle, term, force) if self.shafts.angle else None
         response = _error(self.shafts.reading, term, force)
-        return Passage(self, response + force if spring == self.rig.measured else response, sway)
+        acts = (term.b, force), (term.a, -force / (term.ratio * term.efficiency))
+        return Passage(self, response + force if spring == self.rig.measured else response, sway, acts=acts)
 
     def lines(self) -> tuple[LineSource, ...]:
         """Return every line of the rig that follows a shaft."""

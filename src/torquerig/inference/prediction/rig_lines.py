@@ -13,6 +13,7 @@ from torquerig.diagnosis.linear.twin import Twin, passed, sources
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.prediction.kept_twin import speed_balance
 from torquerig.inference.prediction.measuring_chain import crosstalk_lines, passed_by_logger
+from torquerig.inference.prediction.phase_modulation import side_lines
 from torquerig.inference.prediction.ringing import ringing_lines
 from torquerig.sensor_stages.tone import Tone, folded
 
@@ -67,7 +68,7 @@ def _at_the_sensor(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
 
 
 def _of_shafts(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
-    """Yield the lines of each node."""
+    """Yield the lines of each node, and the side lines that the sway by slower lines makes of them."""
     lines = twin.lines()
     if not lines:
         return
@@ -82,7 +83,13 @@ def _of_shafts(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
     varied = np.log(np.maximum(square, 1e-300)).std(axis=2)
     frequency = orders * np.abs(seen.speed) / (2 * pi)
     nodes = np.array([line.node for line in lines])
-    square, shifted = square.mean(axis=2), shifted.mean(axis=2)
+    source = sources(lines, motor).reshape(len(lines), count, points).mean(axis=2)
+    side = side_lines(twin, seen, lines, source)
+    square, shifted = square.mean(axis=2) * side.kept, shifted.mean(axis=2) * side.kept
     for node in dict.fromkeys(nodes.tolist()):
         own = nodes == node
         yield RigLines(frequency[own], square[own], shifted[own], varied[own], True, node)
+    for node in dict.fromkeys(side.nodes):
+        own = np.array(side.nodes) == node
+        there = side.square[own]
+        yield RigLines(side.frequency[own], there, there, np.zeros(there.shape), True, node)
