@@ -24,6 +24,7 @@ SHARE_OF_SIGNAL = 0.03  # [1] of the signal's standard deviation: median of the 
 _SAME_MULTIPLE = 2e-3  # [1] relative: so near to a whole multiple of a line another one is its harmonic
 _UNMEASURED = 6e-3  # [1] relative error of a found order where no angle was measured: half of what smears a line
 _SAME_ORDER = 4e-3  # [1/rev] so near to an order of a shaft a line is taken to be at it
+_LACKING = 4.0  # [1] of the power that a model expects: 6 dB more is no error of a line's size
 _REACHES = 0.1  # of the largest response: a run in which a torque hardly reaches the sensor says little of its size
 
 
@@ -171,6 +172,22 @@ class Context:
             return 0.0, 0.0
         found = sorted(size / gain for gain, size in ratios if gain > _REACHES * max(gains))
         return found[len(found) // 2], SHARE_OF_SIGNAL * self.signal / max(gains)
+
+
+def lacks(fit: Fit, data: Data, place: Place) -> bool:
+    """Return whether a model lacks a line: some segment shows more of it than a line of wrong size.
+
+    A part that was added for other lines may have made it too, as a side line.
+    """
+    for seen, model in zip(data.seen, fit.expected, strict=True):
+        if place in seen.places:
+            at = seen.places.index(place)
+            noise = seen.lines.noise_bandwidth[:, at] * floor_density(seen, model)[:, at]
+            shown = seen.lines.count[:, at] > 0
+            measured, expected = seen.lines.power[shown, at], model.line_power[shown, at] + noise[shown]
+            if (measured > _LACKING * expected).any():
+                return True
+    return False
 
 
 @dataclass

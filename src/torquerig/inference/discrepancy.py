@@ -20,7 +20,10 @@ from torquerig.inference.prediction.expected_run import ExpectedRun
 Floats = NDArray[np.float64]
 
 SPREAD = 0.8  # of the logarithm of each size: a factor of 2.2 up or down
-_LARGEST, _SMALLEST = 30.0, 0.5  # times the median of each size
+_SMALLEST = 0.5  # times the median of each size
+_OF_SPECTRA = ("line", "band", "mode", "modulation")
+_LARGEST = {**dict.fromkeys(_OF_SPECTRA, float(np.exp(2 * SPREAD))), "level": 30.0, "level_floor": 30.0}  # times it:
+# what exceeds two standard deviations in a spectrum is a missing part, and would hide the next one if it were allowed
 _GRID = 7  # points of each search over one size
 _SWEEPS = 2  # over all sizes; each then halves the distance of the points
 _ALIKE = 0.1  # of the logarithm
@@ -42,11 +45,11 @@ def usual(off: Discrepancy) -> Discrepancy:
 def estimated(seen: Sequence[RunFeatures], models: Sequence[ExpectedRun], start: Discrepancy) -> Discrepancy:
     """Return the sizes of the largest posterior density for given models of all runs, by a search along each size."""
     off = start
-    width = np.log(_LARGEST / _SMALLEST) / (_GRID - 1)
+    width = np.log(max(_LARGEST.values()) / _SMALLEST) / (_GRID - 1)
     for sweep in range(_SWEEPS):
         for size, kinds in KINDS_OF_SIZES.items():
             median, here = getattr(MEDIAN, size), float(np.log(getattr(off, size)))
-            low, high = np.log(_SMALLEST * median), np.log(_LARGEST * median)
+            low, high = np.log(_SMALLEST * median), np.log(_LARGEST[size] * median)
             points = np.linspace(low, high, _GRID) if sweep == 0 else here + width * np.linspace(-1, 1, _GRID)
             points = np.unique(np.clip(np.append(points, here), low, high))
             scores = [_score(seen, models, replace(off, **{size: float(np.exp(at))}), kinds) for at in points.tolist()]

@@ -13,7 +13,7 @@ from torquerig.diagnosis.side_by_side import of_each
 from torquerig.errors import TorquerigError
 from torquerig.inference.addition import Addition
 from torquerig.inference.additions import proposals
-from torquerig.inference.context import Context
+from torquerig.inference.context import Context, lacks
 from torquerig.inference.discrepancy import log_prior
 from torquerig.inference.features.line_search import FoundLine
 from torquerig.inference.fit import Data, Fit, all_residuals, fitted, hessian_of
@@ -87,7 +87,7 @@ def searched(
 
 def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple[tuple[Addition, float], ...]]:
     """Return the model with the best addition, None where none wins; and what all proposals promised."""
-    context = Context(model.fit, data, model.lines)
+    context = Context(model.fit, data, tuple(line for line in model.lines if lacks(model.fit, data, line.place)))
     taken = frozenset[str]().union(*(each.names for each in model.additions))
     free = [each for each in proposals(context) if not each.names & taken]
     screened = sorted(((*_screened(context, each), each) for each in free), key=lambda one: -one[0])
