@@ -1,4 +1,4 @@
-"""Covariance of levels and adequacy against closed forms."""
+"""Covariance of levels and of powers against closed forms."""
 
 from __future__ import annotations
 
@@ -6,14 +6,8 @@ import numpy as np
 import pytest
 
 from tests.inference.drawn_runs import drawn_run, ramp, steady
-from torquerig.inference.adequacy import excesses
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.likelihood import (
-    BAND,
-    DEGREES_OF_FREEDOM,
-    LEVEL,
-    LINE,
-    Residuals,
     _of_logarithm,
     _with_common_factor,
 )
@@ -92,41 +86,3 @@ def test_residuals_with_a_common_factor_become_independent():
     # the determinant of the covariance of a segment is in the standard deviations
     square = np.square(0.4 / sd[:30]).sum()
     assert np.log(made[0][1][:30] / sd[:30]).sum() == pytest.approx(0.5 * np.log1p(square))
-
-
-def drawn(rng, *, odd: float = 0.0) -> Residuals:
-    value = rng.standard_t(DEGREES_OF_FREEDOM, 300)
-    value[0] += odd
-    kind = np.repeat([LINE, BAND, LEVEL], 100).astype(np.int8)
-    return Residuals(value, np.ones(300), kind, np.arange(300), np.zeros(300, dtype=np.intp))
-
-
-def least_likely(runs, *, relevance=0.0):
-    return excesses(runs, [np.ones(each.value.size) for each in runs], relevance)[0]
-
-
-def test_p_values_of_a_true_model_are_conservative():
-    rng = np.random.default_rng(3)
-    least = np.array([least_likely([drawn(rng)]).p_value for _ in range(400)])
-    for level in (0.01, 0.05, 0.2):
-        assert np.mean(least < level) < level + 4 * np.sqrt(level / 400)
-    assert 0.1 < np.median(least) < 0.9  # neither blind nor alarmed
-
-
-def test_one_odd_line_is_located():
-    found = least_likely([drawn(np.random.default_rng(4)), drawn(np.random.default_rng(5), odd=40.0)])
-    assert (found.statistic, found.run, found.row) == ("largest of lines", 1, 0)
-    assert found.p_value < 1e-6
-
-
-def test_what_is_smaller_than_the_relevance_does_not_count():
-    runs = [drawn(np.random.default_rng(5), odd=40.0)]
-    assert least_likely(runs, relevance=0.5).p_value < 1e-6
-    assert not excesses(runs, [np.ones(each.value.size) for each in runs], 2.0)
-
-
-def test_runs_without_lines_are_judged_by_the_other_features():
-    one = drawn(np.random.default_rng(6))
-    kept = one.kind != LINE
-    rest = Residuals(*(getattr(one, name)[kept] for name in ("value", "sd", "kind", "at", "segment")))
-    assert {each.kind for each in excesses([rest], [np.ones(kept.sum())], 0.0)} == set(one.kind.tolist()) - {LINE}

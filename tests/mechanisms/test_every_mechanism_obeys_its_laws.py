@@ -50,6 +50,7 @@ from torquerig.mechanisms import (
     PwmRipple,
     QuadraticDrag,
     Quantization,
+    ReadingCourse,
     SensorBandwidth,
     SensorDrift,
     SensorHysteresis,
@@ -268,6 +269,11 @@ ROWS: tuple[Row, ...] = (
         effect=NoiseHump(name="it", rms=0.02, frequency=400.0),
         nothing=NoiseHump(name="it", rms=0.0, frequency=400.0),
         why_no_lines="a band of noise",
+    ),
+    Row(
+        effect=ReadingCourse(name="it", shape="step", at=0.4, zero=0.1, gain=0.1),
+        nothing=ReadingCourse(name="it", shape="step", at=0.4),
+        why_no_lines="a slow zero and gain",
     ),
     Row(
         effect=FlickerNoise(name="it", corner=200.0),

@@ -28,6 +28,7 @@ from torquerig.mechanisms import (
     NoiseHump,
     PwmAliasing,
     Quantization,
+    ReadingCourse,
     SensorBandwidth,
     SensorDrift,
     SensorHysteresis,
@@ -50,6 +51,10 @@ EFFECTS: list[tuple[str, Part]] = [
     (
         "{kind: noise_hump, rms: 20 mV, frequency: 0.4 kHz, width: 0.1}",
         NoiseHump(name="it", rms=0.02, frequency=400.0, width=0.1),
+    ),
+    (
+        "{kind: reading_course, shape: ramp, at: 0.4, zero: 20 mV, gain: -5 %}",
+        ReadingCourse(name="it", shape="ramp", at=0.4, zero=0.02, gain=-0.05),
     ),
     (
         "{kind: pwm_aliasing, switching_frequency: 24 kHz, amplitude: 30 mV}",

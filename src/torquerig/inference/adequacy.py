@@ -1,14 +1,15 @@
-"""Whether a fitted model explains the features: the largest residual and their sum, by kind, as p-values.
+"""Whether a fitted model explains the features: the largest residual and the sums, by kind and in all, as p-values.
 
-Under the model the standardised residuals follow the likelihood's distribution, Student's. The largest of n has the
-p-value ``1 - F(|z|)^n``; the sum of the deviances ``(nu + 1) ln(1 + z^2 / nu)`` is compared with a normal
-distribution of their mean and variance, which holds for some ten features and more. The smallest p-value counts for
-as many tests as there are (Bonferroni).
+Fitted and held-out blocks are tested together. Under the model the standardised residuals follow the likelihood's
+distribution, Student's. The largest of n has the p-value ``1 - F(|z|)^n``; the sum of the deviances
+``(nu + 1) ln(1 + z^2 / nu)`` is compared with a normal distribution of their mean and variance, which holds for some
+ten features and more. What is spread over many features, each of them small, shows in the sums. The smallest p-value
+counts for as many tests as there are (Bonferroni).
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,9 +17,9 @@ from numpy.typing import NDArray
 
 from torquerig.inference.discrepancy import usual
 from torquerig.inference.features.run_features import RunFeatures
-from torquerig.inference.fit import Data, Fit
-from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE, Residuals, residuals
-from torquerig.inference.load_spectrum import with_gains
+from torquerig.inference.fit import Data, Fit, all_residuals
+from torquerig.inference.held_out import held_residuals
+from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE, Residuals
 
 Floats = NDArray[np.float64]
 
@@ -28,7 +29,7 @@ _KINDS = {LINE: "lines", BAND: "bands", LEVEL: "levels"}
 
 @dataclass(frozen=True)
 class Excess:
-    """One statistic of one kind of features.
+    """One statistic of one kind of features, or of all.
 
     Parameters
     ----------
@@ -37,7 +38,7 @@ class Excess:
     p_value : float
         For all tests together [1].
     run, kind, row : int
-        Of the largest residual: which run, which kind, which of the run's residuals.
+        Of the largest residual: which of the tested runs, which kind, which of the run's residuals.
     size : float
         Of it in the reading [N m] rms.
     """
@@ -50,49 +51,95 @@ class Excess:
     size: float
 
 
-def excesses_of(fit: Fit, data: Data, *, relevance: float) -> tuple[Excess, ...]:
-    """Return the statistics of what a fitted model leaves, the least likely first.
+@dataclass(frozen=True)
+class JudgedRun:
+    """Features of the fitted or the held-out blocks of one run, and what a model leaves of them.
+
+    Parameters
+    ----------
+    seen : RunFeatures
+    residuals : Residuals
+    size : ndarray, shape (features,)
+        Of each residual in the reading [N m] rms, as of an effect that is added to the model.
+    excess : mapping of int to float
+        By kind, the mean square [(N m)^2] by which the error of the model exceeds what its standard deviations permit.
+    """
+
+    seen: RunFeatures
+    residuals: Residuals
+    size: Floats
+    excess: Mapping[int, float]
+
+
+def judged_run(seen: RunFeatures, each: Residuals) -> JudgedRun:
+    """Return the residuals of a run with their sizes."""
+    size, square, permitted = _sizes(seen, each)
+    weight = np.ones(each.value.size)
+    lengths = np.array([sum(block.stop - block.start for block in one.blocks) for one in seen.segments], dtype=float)
+    spectral = each.segment >= 0
+    weight[spectral] = (lengths / max(lengths.sum(), 1.0))[each.segment[spectral]]
+    weight[~spectral] = 1 / max(int((~spectral).sum()), 1)
+    beyond = weight * (square - permitted)
+    return JudgedRun(seen, each, size, {kind: float(beyond[each.kind == kind].sum()) for kind in _KINDS})
+
+
+def excesses_of(
+    fit: Fit, data: Data, held: Data, *, relevance: float
+) -> tuple[tuple[Excess, ...], tuple[JudgedRun, ...]]:
+    """Return the statistics of what a fitted model leaves, the least likely first, and the runs.
 
     What is smaller than ``relevance`` [N m] rms in the reading does not count. The sizes of the discrepancy are the
     estimated ones, but no larger than is usual: a model that needs more does not explain its rig.
     """
-    off = usual(fit.off)
-    models = [with_gains(one, shape, fit.gains) for one, shape in zip(fit.expected, data.shapes, strict=True)]
-    runs = [residuals(seen, model, off) for seen, model in zip(data.seen, models, strict=True)]
-    return excesses(runs, [_sizes(seen, each) for seen, each in zip(data.seen, runs, strict=True)], relevance)
+    fit = replace(fit, off=usual(fit.off))
+    fitted = zip(data.seen, all_residuals(data, fit.expected, fit.gains, fit.off), strict=True)
+    others = zip(held.seen, held_residuals(fit, held), strict=True)
+    runs = tuple(judged_run(seen, each) for seen, each in (*fitted, *others))
+    return excesses(runs, relevance), runs
 
 
-def excesses(runs: Sequence[Residuals], sizes: Sequence[Floats], relevance: float) -> tuple[Excess, ...]:
-    """Return the same of residuals whose ``sizes`` [N m] are known, an array of shape (features,) for each run."""
-    from scipy.stats import norm, t
-
-    nu, found = DEGREES_OF_FREEDOM, list[Excess]()
-    mean, variance = _deviance_moments()
-    for kind, name in _KINDS.items():
-        rows = [np.flatnonzero(each.kind == kind) for each in runs]
-        values = [each.standardised[own] for each, own in zip(runs, rows, strict=True)]
-        count = sum(each.size for each in values)
-        if not count:
-            continue
-        least = float(t.isf(0.5 * LEVEL_OF_TEST / count, nu))  # of a residual that is no chance by itself
-        large = [np.abs(value) * _counts(size[own], each.segment[own], np.abs(value) > least, relevance)
-                 for value, size, own, each in zip(values, sizes, rows, runs, strict=True)]  # fmt: skip
-        run = int(np.argmax([each.max(initial=0.0) for each in large]))
-        if not large[run].any():
-            continue
-        row = int(np.argmax(large[run]))
-        at, worst = int(rows[run][row]), float(large[run][row])
-        largest = -np.expm1(count * np.log1p(-min(2 * float(t.sf(worst, nu)), 1 - 1e-16)))
-        each = (nu + 1) * np.log1p(np.concatenate(values) ** 2 / nu)
-        small = np.concatenate(large) == 0.0  # what does not count has at most the deviance of a true model
-        deviance = float(np.where(small, np.minimum(each, mean), each).sum())
-        total = float(norm.sf((deviance - count * mean) / np.sqrt(count * variance)))
-        size = float(sizes[run][at])
-        found += [Excess(f"largest of {name}", float(largest), run, kind, at, size),
-                  Excess(f"sum of {name}", total, run, kind, at, size)]  # fmt: skip
+def excesses(runs: Sequence[JudgedRun], relevance: float) -> tuple[Excess, ...]:
+    """Return the statistics of tested runs."""
+    found = [each for kind in _KINDS for each in _of_kind(runs, kind, relevance)]
+    if found:
+        found.append(_sum_of(runs, tuple(_KINDS), relevance, min(found, key=lambda each: each.p_value)))
     tests = max(len(found), 1)
     return tuple(sorted((replace(each, p_value=min(tests * each.p_value, 1.0)) for each in found),
                         key=lambda each: each.p_value))  # fmt: skip
+
+
+def _of_kind(runs: Sequence[JudgedRun], kind: int, relevance: float) -> list[Excess]:
+    """Return the largest residual of one kind, and the sum; none where there are no such features."""
+    from scipy.stats import t
+
+    nu = DEGREES_OF_FREEDOM
+    rows = [np.flatnonzero(each.residuals.kind == kind) for each in runs]
+    count = sum(own.size for own in rows)
+    if not count:
+        return []
+    least = float(t.isf(0.5 * LEVEL_OF_TEST / count, nu))  # of a residual that is no chance by itself
+    values = [np.abs(each.residuals.standardised[own]) for each, own in zip(runs, rows, strict=True)]
+    large = [value * _counts(each.size[own], each.residuals.segment[own], value > least, relevance)
+             for each, value, own in zip(runs, values, rows, strict=True)]  # fmt: skip
+    run = max(range(len(runs)), key=lambda one: (large[one].max(initial=0.0), values[one].max(initial=0.0)))
+    row = int(np.argmax(large[run] if large[run].any() else values[run]))
+    worst, at = float(large[run][row]), int(rows[run][row])
+    p_value = -np.expm1(count * np.log1p(-min(2 * float(t.sf(worst, nu)), 1 - 1e-16)))
+    first = Excess(f"largest of {_KINDS[kind]}", float(p_value), run, kind, at, float(runs[run].size[at]))
+    return [first, _sum_of(runs, (kind,), relevance, first)]
+
+
+def _sum_of(runs: Sequence[JudgedRun], kinds: tuple[int, ...], relevance: float, largest: Excess) -> Excess:
+    """Return the sum of the deviances of some kinds; it counts where their joint error exceeds the relevance."""
+    from scipy.stats import norm
+
+    nu, (mean, variance) = DEGREES_OF_FREEDOM, _deviance_moments()
+    z = np.concatenate([each.residuals.standardised[np.isin(each.residuals.kind, kinds)] for each in runs])
+    beyond = max(sum(each.excess[kind] for kind in kinds) for each in runs)
+    total = float(((nu + 1) * np.log1p(z**2 / nu)).sum())
+    p_value = float(norm.sf((total - z.size * mean) / np.sqrt(z.size * variance))) if beyond > relevance**2 else 1.0
+    name = _KINDS[kinds[0]] if len(kinds) == 1 else "all"
+    return replace(largest, statistic=f"sum of {name}", p_value=p_value)
 
 
 def _counts(size: Floats, segment: NDArray[np.intp], is_odd: NDArray[np.bool_], relevance: float) -> NDArray[np.bool_]:
@@ -109,16 +156,24 @@ def _counts(size: Floats, segment: NDArray[np.intp], is_odd: NDArray[np.bool_], 
     return np.asarray(counts)
 
 
-def _sizes(seen: RunFeatures, each: Residuals) -> Floats:
-    """Return how large what is left is in the reading [N m] rms, shape (features,)."""
-    size = seen.largest_level * np.abs(each.value)  # of levels
-    line, band = each.kind == LINE, each.kind == BAND
-    measured = seen.lines.power[each.segment[line], each.at[line]]
-    size[line] = np.sqrt(0.5 * measured * np.abs(-np.expm1(-each.value[line])))
+def _sizes(seen: RunFeatures, each: Residuals) -> tuple[Floats, Floats, Floats]:
+    """Return how large what is left is in the reading, its mean square, and the one that is to be expected.
+
+    The first is the rms [N m] of an uncorrelated effect that makes the difference of the powers. The mean squares
+    [(N m)^2] are of the least difference of two processes, ``(sqrt P - sqrt M)^2`` (Gelbrich 1990, Math. Nachr. 147),
+    the last one for residuals of their standard deviation. Shape (features,) each.
+    """
+    power = np.zeros(each.value.size)
+    line, band, level = each.kind == LINE, each.kind == BAND, each.kind == LEVEL
+    power[line] = 0.5 * seen.lines.power[each.segment[line], each.at[line]]
     width = (seen.bands.high - seen.bands.low)[each.at[band]]
-    power = seen.band_power[each.segment[band], each.at[band]]
-    size[band] = np.sqrt(width * power * np.abs(-np.expm1(-each.value[band])))
-    return size
+    power[band] = width * seen.band_power[each.segment[band], each.at[band]]
+    size = np.sqrt(power * np.abs(-np.expm1(-each.value)))
+    square = power * np.expm1(-0.5 * each.value) ** 2
+    permitted = power * np.exp(-each.value) * np.expm1(0.5 * each.sd) ** 2
+    size[level] = seen.largest_level * np.abs(each.value[level])
+    square[level], permitted[level] = size[level] ** 2, (seen.largest_level * each.sd[level]) ** 2
+    return size, square, permitted
 
 
 def _deviance_moments() -> tuple[float, float]:

@@ -26,6 +26,7 @@ Sensor, cable and file
     pwm_aliasing         switching, folded                signal_dropout       moments without signal
     clipping             saturation                       quantization         coarse codes
     noise_hump           a band of noise, no cause claimed
+    reading_course       zero or gain that change, no cause claimed
     flicker_noise        1/f below a corner            logger_low_pass      the logger's filter, any order
 """
 
@@ -73,6 +74,7 @@ if TYPE_CHECKING:
     from torquerig.mechanisms.pwm_ripple import PwmRipple as PwmRipple
     from torquerig.mechanisms.quadratic_drag import QuadraticDrag as QuadraticDrag
     from torquerig.mechanisms.quantization import Quantization as Quantization
+    from torquerig.mechanisms.reading_course import ReadingCourse as ReadingCourse
     from torquerig.mechanisms.sensor_bandwidth import SensorBandwidth as SensorBandwidth
     from torquerig.mechanisms.sensor_drift import SensorDrift as SensorDrift
     from torquerig.mechanisms.sensor_hysteresis import SensorHysteresis as SensorHysteresis

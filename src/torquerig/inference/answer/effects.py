@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from torquerig import mechanisms
 from torquerig.inference.addition import Addition, Reported
 from torquerig.inference.answer.confidence import alternatives, confidence, equivalent_to, mechanisms_alike
 from torquerig.inference.answer.numbers import digits, estimate
@@ -108,10 +109,14 @@ def _size_interval(outcome: Outcome, each: Addition) -> tuple[float, float]:
 
 
 def _axis(outcome: Outcome, each: Addition) -> tuple[str, float]:
+    """Return the axis of a nameless effect and where on it; that of a course is the moment in the longest run."""
     if each.places:
         place = each.places[0]
         return ("motor_shaft" if place.domain == "order" else "Hz"), place.at
-    return "Hz", float(getattr(outcome.completed.part(each.parts[0].name), "frequency", 0.0))
+    part = outcome.completed.part(each.parts[0].name)
+    if isinstance(part, mechanisms.ReadingCourse):
+        return "s", part.at * max(run.recording.duration for run in outcome.runs)
+    return "Hz", float(getattr(part, "frequency", 0.0))
 
 
 def _kind(each: Addition) -> str:

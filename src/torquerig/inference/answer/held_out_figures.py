@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.inference.answer.numbers import TWO_SIDED, digits
+from torquerig.inference.discrepancy import usual
 from torquerig.inference.engine import Outcome
 from torquerig.inference.fit import Data, Fit, all_residuals
 from torquerig.inference.held_out import held_residuals
+from torquerig.inference.likelihood import Residuals
 from torquerig.inference.prediction.expected_run import expected_run
 
 Floats = NDArray[np.float64]
@@ -18,29 +22,38 @@ Floats = NDArray[np.float64]
 METRIC = (
     "Mean squared standardised residual of held-out data; about 1 for a true model. The data are the logarithms of the "
     "power of lines and of the density of bands, and mean torques, each divided by its standard deviation: sampling "
-    "error and what a right model may be wrong by."
+    "error and what a right model may be wrong by, as estimated with the completed model."
 )
 IMPROVABLE = 1.2  # a model with a smaller residual before leaves nothing to improve (the contract's limit)
 
 
 def fit_figures(outcome: Outcome) -> dict[str, Any]:
-    """Return metric, residuals before and after, and the improvement with its 95 % interval, None where pointless."""
-    before = np.concatenate([each.standardised**2 for each in held_residuals(outcome.stated, outcome.stated_held)])
-    after = np.concatenate([each.standardised**2 for each in held_residuals(outcome.model.fit, outcome.held)])
+    """Return metric, residuals before and after, and the improvement with its 95 % interval, None where pointless.
+
+    All are in the same standard deviations, those of the completed model: an incomplete model has wider ones, in which
+    its residuals would look small.
+    """
+    off = usual(outcome.model.fit.off)
+    stated = replace(outcome.stated, off=off)
+    before = _squares(held_residuals(stated, outcome.stated_held))
+    after = _squares(held_residuals(replace(outcome.model.fit, off=off), outcome.held))
     old, new = float(before.mean()), float(after.mean())
     return {
         "metric": METRIC,
-        "before": {"heldout_misfit": digits(old), "nominal": digits(_unfitted(outcome.stated, outcome.stated_held))},
+        "before": {"heldout_misfit": digits(old), "nominal": digits(_unfitted(stated, outcome.stated_held))},
         "after": {"heldout_misfit": digits(new)},
         "improvement": None if old < IMPROVABLE else {"value": digits(1 - new / old), "ci95": _interval(before, after)},
     }
 
 
+def _squares(runs: Sequence[Residuals]) -> Floats:
+    return np.concatenate([each.standardised**2 for each in runs])
+
+
 def _unfitted(fit: Fit, held: Data) -> float:
     """Return the residual of the scenario as it is stated."""
     expected = [expected_run(fit.nominal, seen) for seen in held.seen]
-    each = all_residuals(held, expected, np.zeros_like(fit.gains), fit.off)
-    return float(np.mean(np.concatenate([one.standardised for one in each]) ** 2))
+    return float(_squares(all_residuals(held, expected, np.zeros_like(fit.gains), fit.off)).mean())
 
 
 def _interval(before: Floats, after: Floats) -> list[float]:

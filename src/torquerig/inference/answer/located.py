@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from torquerig.diagnosis.looking.places import Place
-from torquerig.inference.adequacy import Excess
+from torquerig.inference.adequacy import Excess, JudgedRun
 from torquerig.inference.answer.numbers import digits
 from torquerig.inference.answer.significant import significant
 from torquerig.inference.engine import Outcome
@@ -29,19 +29,15 @@ def differences(outcome: Outcome) -> list[dict[str, Any]]:
     found = {line.place: exp(line.log_p) for line in outcome.found}
     rows = [_of_line(outcome.data.seen, runs, place, p_value=found.get(place)) for place in places]
     if len(places) < len(outcome.model.additions):  # some have no place: a level, a band
-        rows += [
-            _of_excess(outcome.data.seen, runs, each)
-            for each in _largest(significant(outcome, fit))
-            if each.kind != LINE
-        ]
+        excesses, tested = significant(outcome, fit)
+        rows += [_of_excess(tested, each) for each in _largest(excesses) if each.kind != LINE]
     return sorted(rows, key=lambda row: -row["share_of_misfit"])
 
 
 def remaining(outcome: Outcome) -> list[dict[str, Any]]:
     """Return where the completed model still differs, also where that is too small to change the verdict."""
-    fit = outcome.model.fit
-    runs = all_residuals(outcome.data, fit.expected, fit.gains, fit.off)
-    return [_of_excess(outcome.data.seen, runs, each) for each in _largest(significant(outcome, fit, any_size=True))]
+    excesses, tested = significant(outcome, outcome.model.fit, any_size=True)
+    return [_of_excess(tested, each) for each in _largest(excesses)]
 
 
 def _largest(found: Sequence[Excess]) -> Iterator[Excess]:
@@ -74,15 +70,15 @@ def _of_line(
     }  # fmt: skip
 
 
-def _of_excess(seen: Sequence[RunFeatures], runs: Sequence[Residuals], each: Excess) -> dict[str, Any]:
-    one, own = seen[each.run], runs[each.run]
+def _of_excess(tested: Sequence[JudgedRun], each: Excess) -> dict[str, Any]:
+    one, own = tested[each.run].seen, tested[each.run].residuals
     at, square = int(own.at[each.row]), float(own.standardised[each.row] ** 2)
     domain, axis, middle, width = _where(one, each.kind, at)
     # a level has no power: the excess is its residual over its standard deviation
     decibels = 10 * log10(max(square, 1.0)) if each.kind == LEVEL else _DECIBELS * float(own.value[each.row])
     return {
         "domain": domain, "axis": axis, "at": digits(middle), "width": digits(width), "recordings": [one.run.name],
-        "excess_dB": digits(decibels), "share_of_misfit": digits(square / _total(runs)),
+        "excess_dB": digits(decibels), "share_of_misfit": digits(square / _total([run.residuals for run in tested])),
         "p_value": digits(each.p_value),
     }  # fmt: skip
 

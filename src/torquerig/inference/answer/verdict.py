@@ -11,6 +11,7 @@ from torquerig.inference.answer.owned import owned
 from torquerig.inference.answer.significant import significant
 from torquerig.inference.answer.sizes import relevance, size, without
 from torquerig.inference.engine import Outcome
+from torquerig.inference.fit import Fit
 from torquerig.inference.prediction.expected_run import expected_run
 
 
@@ -34,7 +35,16 @@ def is_minor(outcome: Outcome, each: Addition) -> bool:
 
 def explains(outcome: Outcome, less: Sequence[Addition]) -> bool:
     """Return whether the completed model without some additions passes the test of adequacy."""
-    fit, rig = outcome.model.fit, without(outcome.completed, less)
-    if less:
-        fit = replace(fit, expected=tuple(expected_run(rig, seen) for seen in outcome.data.seen))
-    return not significant(outcome, fit)
+    return not significant(outcome, _less(outcome, less) if less else outcome.model.fit)[0]
+
+
+def _less(outcome: Outcome, less: Sequence[Addition]) -> Fit:
+    """Return the fit of the completed model without the parts of some additions, the other parameters as they are."""
+    fit, names = outcome.model.fit, {part.name for each in less for part in each.parts}
+    kept = [at for at, knob in enumerate(fit.knobs) if knob.part not in names]
+    columns = [*kept, *range(len(fit.knobs), fit.jacobian.shape[1])]
+    fit = replace(
+        fit, rig=without(fit.rig, less), knobs=tuple(fit.knobs[at] for at in kept), positions=fit.positions[kept],
+        jacobian=fit.jacobian[:, columns],
+    )  # fmt: skip
+    return replace(fit, expected=tuple(expected_run(fit.fitted_rig, seen) for seen in outcome.data.seen))

@@ -12,6 +12,7 @@ from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.prediction.kept_twin import clumping_of, level_balance, load_key, loads_of
 from torquerig.inference.prediction.line_features import line_features
 from torquerig.inference.prediction.measuring_chain import chain_noise, passed_by_logger
+from torquerig.inference.prediction.reading_courses import Courses, course_density, courses, slow_noise
 from torquerig.inference.prediction.ringing import ringing_density
 from torquerig.inference.prediction.slow_lines import covariance_of_lines
 from torquerig.inference.prediction.slow_torque import covariance
@@ -83,7 +84,8 @@ def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
     twin = Twin(rig.at(seen.run.run))
     recorded = passed_by_logger(twin.rig, seen.bands.middle)
     load = recorded * _load(twin, rig, seen)
-    density = load + chain_noise(twin.rig, seen) + recorded * ringing_density(twin, seen)
+    noise = chain_noise(twin.rig, seen)
+    density = load + noise + recorded * ringing_density(twin, seen)
     lines = line_features(twin, seen)
     balance = level_balance(twin, seen)
     slow = np.maximum(seen.level_grid, seen.level_grid[_SLOWEST])
@@ -91,6 +93,8 @@ def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
     spread = slow_load
     for each in lines.unshown:
         spread = spread + covariance_of_lines(seen, each)
+    wandering = slow_noise(twin.rig, seen)
+    spread = spread if wandering is None else spread + wandering
     moving = not seen.run.is_steady and seen.level.size > 1
     level = balance.sensor.mean(axis=1) + _zero(twin.rig, seen)
     # parts of held-out blocks are left out between: the steepest slope that the two ends permit
@@ -98,12 +102,31 @@ def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
     changing = np.where(seen.level_neighbours, steepest[None], 0.0).max(axis=1)
     own = _range_about_line(balance.sensor)
     density = density + lines.density
-    return ExpectedRun(
+    expected = ExpectedRun(
         line_power=lines.power, line_slope=lines.slope, line_range=lines.varied, line_beat=lines.beat, density=density,
         load_share=load / density, level=level, level_covariance=spread, slow_load=slow_load, level_rate=changing,
         load_clumping=clumping_of(twin.rig), level_range=own,
         near_lines=np.einsum("sp,spq->sq", lines.power, seen.side_places),
         near_bands=np.einsum("sp,spb->sb", 0.5 * lines.power, seen.side_bands) / (seen.bands.high - seen.bands.low),
+    )  # fmt: skip
+    read = courses(twin.rig, seen)
+    return expected if read is None else _as_read(expected, read, noise, course_density(twin.rig, seen, level))
+
+
+def _as_read(expected: ExpectedRun, read: Courses, noise: Floats, moving: Floats) -> ExpectedRun:
+    """Return what is expected of a reading whose gain and zero have courses.
+
+    ``noise`` is the density of the chain's noise, ``moving`` that of the courses [(N m)^2/Hz].
+    """
+    power, both = read.power[:, None], np.outer(read.gain, read.gain)
+    density = noise + power * (expected.density - noise) + moving
+    return replace(
+        expected, line_power=power * expected.line_power, density=density,
+        load_share=power * expected.load_share * expected.density / density,
+        level=read.gain * expected.level + read.zero, level_covariance=both * expected.level_covariance,
+        slow_load=both * expected.slow_load, level_rate=np.abs(read.gain) * expected.level_rate,
+        level_range=np.abs(read.gain) * expected.level_range, near_lines=power * expected.near_lines,
+        near_bands=power * expected.near_bands,
     )  # fmt: skip
 
 
