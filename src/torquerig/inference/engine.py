@@ -15,11 +15,12 @@ from torquerig.inference.features.line_search import FoundLine, search_lines
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.fit import Data, Fit, fitted
 from torquerig.inference.measured_run import MeasuredRun, measured_runs
+from torquerig.inference.model import Model
 from torquerig.inference.model_density import model_densities
 from torquerig.inference.parameters import parameters
 from torquerig.inference.readings import SET_POINT_ERROR, Reading, SetupFault, best_reading
 from torquerig.inference.sample_faults import sample_faults, usable_runs
-from torquerig.inference.search import Model, searched
+from torquerig.inference.search import searched
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario

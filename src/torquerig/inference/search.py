@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,10 +15,12 @@ from torquerig.inference.addition import Addition
 from torquerig.inference.additions import proposals
 from torquerig.inference.context import Context, lacks
 from torquerig.inference.discrepancy import log_prior
+from torquerig.inference.dropped import without_needless
 from torquerig.inference.features.line_search import FoundLine
 from torquerig.inference.fit import Data, Fit, all_residuals, fitted, hessian_of
 from torquerig.inference.held_out import held_out_density
 from torquerig.inference.likelihood import log_density_of, weights
+from torquerig.inference.model import Model
 from torquerig.inference.one_number import at_stated, without_priors
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
 from torquerig.rig.assembly import Rig
@@ -32,34 +34,6 @@ LEAST_GAIN = 8.0  # [nats] of posterior odds by which an addition must win, 3000
 LEAST_HELD_OUT = 3.0  # [nats] by which it must make the held-out data more likely
 LEAST_OTHER, LEAST_HELD_OUT_OTHER = 3.0, 1.0  # [nats] the same of an effect without a name
 _PER_PARAMETER = 1.5  # [nats] that the freedom of a parameter costs before it is fitted, for the screening
-
-
-@dataclass(frozen=True, eq=False)
-class Model:
-    """A fitted model with what was added to the nominal rig.
-
-    Parameters
-    ----------
-    fit : Fit
-    additions : tuple of Addition
-    lines : tuple of FoundLine
-        That no part explains.
-    alternatives : tuple of (Addition, Addition, float)
-        What was added, what was fitted in its place, and by how many nats of posterior odds that fell short.
-    tried : tuple of (Addition, float)
-        Proposals of the last round, and the gain of posterior odds [nats] that the local model promises for each.
-    """
-
-    fit: Fit
-    additions: tuple[Addition, ...]
-    lines: tuple[FoundLine, ...]
-    alternatives: tuple[tuple[Addition, Addition, float], ...] = ()
-    tried: tuple[tuple[Addition, float], ...] = ()
-
-    @property
-    def log_odds(self) -> float:
-        """Log-evidence plus the prior odds of the additions [nats]."""
-        return self.fit.log_evidence + sum(each.log_odds for each in self.additions)
 
 
 def searched(
@@ -80,7 +54,7 @@ def searched(
         better, tried = _extended(model, data, held)
         if better is None:
             return replace(model, tried=tried)
-        model = better
+        model = without_needless(better, data, lines, least=LEAST_GAIN)
         progress(f"adding {model.additions[-1].label}")
     return model
 

@@ -19,7 +19,7 @@ Floats = NDArray[np.float64]
 
 _LOG_ODDS = -3.0  # of a course of zero or gain, whatever its shape and moment; as of a drift of the sensor
 _STEPS = 24  # moments of a recording that are compared: a moment is then within 2 % of its length
-_MOMENT = 0.5 / _STEPS  # [1] standard deviation of the moment about one of them
+_MOMENT = 1.0 / _STEPS  # [1] standard deviation of the moment about one of them
 _CONSTANTS, _CONSTANT = (0.1, 0.3, 1.0), 0.6  # of a settling: shares of a recording, spread of the logarithm
 _ZERO, _GAIN = 0.3, 0.2  # of the signal's standard deviation, and [1]: standard deviations of the changes
 _BEST = 4  # moments of each shape that are proposed

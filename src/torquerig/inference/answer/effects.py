@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import pi
 from typing import Any
 
 from torquerig import mechanisms
@@ -116,6 +117,8 @@ def _axis(outcome: Outcome, each: Addition) -> tuple[str, float]:
     part = outcome.completed.part(each.parts[0].name)
     if isinstance(part, mechanisms.ReadingCourse):
         return "s", part.at * max(run.recording.duration for run in outcome.runs)
+    if isinstance(part, mechanisms.NoiseHump) and each.kind == "level_course":  # slow noise: its correlation time
+        return "s", 1 / (2 * pi * part.frequency)
     return "Hz", float(getattr(part, "frequency", 0.0))
 
 
@@ -141,8 +144,9 @@ def _place(part: Part) -> str:
 
 
 def _acts_as(part: Part) -> str:
-    if getattr(part, "at", None):
-        return f"torque at {part.at}"  # type: ignore[attr-defined]
+    at = getattr(part, "at", None)
+    if isinstance(at, str) and at:
+        return f"torque at {at}"
     if getattr(part, "gear", None):
         return f"angle error in {part.gear}"  # type: ignore[attr-defined]
     return "signal"

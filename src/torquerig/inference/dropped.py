@@ -1,0 +1,55 @@
+"""Drop moves of the search: a mechanism that later additions make needless leaves the model.
+
+The first addition of a search explains what it can, also of effects that are not its cause. A name is kept only if the
+model with it wins by as much as a new name must, compared with the model that has all the other additions without it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from torquerig.errors import TorquerigError
+from torquerig.inference.addition import Addition
+from torquerig.inference.features.line_search import FoundLine
+from torquerig.inference.fit import Data, Fit, fitted
+from torquerig.inference.model import Model
+
+
+def without_needless(model: Model, data: Data, lines: Sequence[FoundLine], *, least: float) -> Model:
+    """Return the model without the mechanisms, other than the last addition, that win by less than ``least`` [nats].
+
+    ``lines`` are all found lines; those of what was dropped are unexplained again.
+    """
+    for each in model.additions[:-1]:
+        fit = _refitted(model.fit, data, each) if each.is_named else None
+        if fit is None:
+            continue
+        rest = tuple(other for other in model.additions if other is not each)
+        taken = {place for other in rest for place in other.places}
+        less = replace(
+            model, fit=fit, additions=rest, lines=tuple(line for line in lines if line.place not in taken),
+            alternatives=tuple(row for row in model.alternatives if row[0] is not each),
+        )  # fmt: skip
+        if model.log_odds - less.log_odds < least:
+            model = less
+    return model
+
+
+def _refitted(fit: Fit, data: Data, each: Addition) -> Fit | None:
+    """Return the fit without the parts of an addition; None where there cannot be such a rig."""
+    names = {part.name for part in each.parts}
+    kept = [at for at, knob in enumerate(fit.knobs) if knob.part not in names]
+    jacobian = fit.jacobian[:, [*kept, *range(len(fit.knobs), fit.jacobian.shape[1])]]
+    try:
+        rig = fit.rig
+        for name in names:
+            rig = rig.without(name)
+        return fitted(
+            rig, tuple(fit.knobs[at] for at in kept), data, gains=fit.gains, off=fit.off,
+            start=fit.positions[kept], jacobian=np.array(jacobian), nominal=fit.nominal,
+        )  # fmt: skip
+    except (TorquerigError, ValueError, np.linalg.LinAlgError):
+        return None
