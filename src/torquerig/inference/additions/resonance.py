@@ -18,7 +18,7 @@ _STRONGEST = 4  # bands from which a hump is started
 _WIDTH, _WIDTH_SPREAD = 0.08, 0.8  # one sigma of the frequency's logarithm, and of the width's
 _PLACE_SPREAD = 0.1  # of the frequency's logarithm
 _WIDE, _WIDE_SPREAD, _WIDE_PLACE_SPREAD = 0.7, 0.5, 0.4  # the same of wide noise
-_SLOW = 0.5  # [Hz] below the lowest band: noise of seconds, such as that of contacts that open and of what clumps
+_SLOW = 0.5  # [1] of the lowest band: noise of seconds, such as that of contacts that open and of what clumps
 _STARTS = tuple((size, 0.0, 0.0) for size in (-1.0, -0.5, 0.0, 0.5, 1.0))
 
 
@@ -29,7 +29,8 @@ def propose(context: Context) -> Iterator[Addition]:
         yield _noise(context, frequency, _WIDTH, label=f"a hump of the spectrum near {frequency:.4g} Hz")
     for frequency in strongest[:2]:
         yield _noise(context, frequency, _WIDE, label=f"noise in a wide band near {frequency:.4g} Hz")
-    yield _noise(context, _SLOW, _WIDE, label="a torque that changes slowly at random", kind="level_course")
+    slowest = min(float(seen.bands.low[0]) for seen in context.data.seen)
+    yield _noise(context, _SLOW * slowest, _WIDE, label="a torque that changes slowly at random", kind="level_course")
 
 
 def _noise(context: Context, frequency: float, width: float, *, label: str, kind: str = "resonance") -> Addition:

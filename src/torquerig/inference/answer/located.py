@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from math import exp, log, log10
 from typing import Any
 
@@ -19,6 +20,8 @@ from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE
 
 _ORDER_WIDTH, _TONE_WIDTH = 0.01, 1.0  # [1/rev], [Hz] to which the place of a line is reported
 _DECIBELS = 10 / log(10)
+_MOST_PLACES, _MUCH_SMALLER = 3, 0.5  # of one kind that are reported, and of the largest residual: one that is not
+_APART = 2.0  # [1] times the width of a feature: nearer ones are one place
 
 
 def differences(outcome: Outcome) -> list[dict[str, Any]]:
@@ -30,14 +33,16 @@ def differences(outcome: Outcome) -> list[dict[str, Any]]:
     rows = [_of_line(outcome.data.seen, runs, place, p_value=found.get(place)) for place in places]
     if len(places) < len(outcome.model.additions):  # some have no place: a level, a band
         excesses, tested = significant(outcome, fit)
-        rows += [_of_excess(tested, each) for each in _largest(excesses) if each.kind != LINE]
+        rows += [
+            _of_excess(tested, one) for each in _largest(excesses) if each.kind != LINE for one in _peaks(tested, each)
+        ]
     return sorted(rows, key=lambda row: -row["share_of_misfit"])
 
 
 def remaining(outcome: Outcome) -> list[dict[str, Any]]:
     """Return where the completed model still differs, also where that is too small to change the verdict."""
     excesses, tested = significant(outcome, outcome.model.fit, any_size=True)
-    return [_of_excess(tested, each) for each in _largest(excesses)]
+    return [_of_excess(tested, one) for each in _largest(excesses) for one in _peaks(tested, each)]
 
 
 def _largest(found: Sequence[Excess]) -> Iterator[Excess]:
@@ -47,6 +52,24 @@ def _largest(found: Sequence[Excess]) -> Iterator[Excess]:
         if each.kind not in kinds:
             kinds.add(each.kind)
             yield each
+
+
+def _peaks(tested: Sequence[JudgedRun], first: Excess) -> Iterator[Excess]:
+    """Yield a residual, and the largest others of its kind at other places that are at least half as large."""
+    rows = [
+        (float(np.abs(run.residuals.standardised[row])), at, row)
+        for at, run in enumerate(tested) for row in np.flatnonzero(run.residuals.kind == first.kind).tolist()
+    ]  # fmt: skip
+    largest = float(np.abs(tested[first.run].residuals.standardised[first.row]))
+    shown = [_where(tested[first.run].seen, first.kind, int(tested[first.run].residuals.at[first.row]))]
+    yield first
+    for size, at, row in sorted(rows, reverse=True):
+        there = _where(tested[at].seen, first.kind, int(tested[at].residuals.at[row]))
+        if size < _MUCH_SMALLER * largest or len(shown) == _MOST_PLACES:
+            return
+        if all(abs(there[2] - other[2]) > _APART * max(there[3], other[3]) for other in shown):
+            shown.append(there)
+            yield replace(first, run=at, row=row)
 
 
 def _of_line(
