@@ -32,7 +32,7 @@ MOST_ADDITIONS = 8
 FITTED = 5  # of the proposals of one round that are fitted together with the model
 LEAST_GAIN = 8.0  # [nats] of posterior odds by which an addition must win, 3000 to 1: the library is never complete
 LEAST_HELD_OUT = 3.0  # [nats] by which it must make the held-out data more likely
-LEAST_OTHER, LEAST_HELD_OUT_OTHER = 3.0, 1.0  # [nats] the same of an effect without a name
+LEAST_OTHER, LEAST_HELD_OUT_OTHER = 3.0, 1.0  # [nats] the same of an effect without a name; of a number only the first
 _PER_PARAMETER = 1.5  # [nats] that the freedom of a parameter costs before it is fitted, for the screening
 
 
@@ -87,8 +87,9 @@ def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple
 def _least(extended: Model) -> tuple[float, float]:
     """Return by how much an addition must win: in posterior odds, and on the held-out data [nats]."""
     added = extended.additions[-1]
-    claims = added.is_named or not added.parts  # a mechanism, or that a stated number is wrong
-    return (LEAST_GAIN, LEAST_HELD_OUT) if claims else (LEAST_OTHER, LEAST_HELD_OUT_OTHER)
+    if added.is_named:
+        return LEAST_GAIN, LEAST_HELD_OUT
+    return LEAST_OTHER, LEAST_HELD_OUT_OTHER if added.parts else LEAST_HELD_OUT
 
 
 def _compared(fit: Fit, each: Addition, held: Data, before: float) -> float:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import log
 
 import numpy as np
 
 from torquerig.inference.fit import fitted
 from torquerig.inference.likelihood import floor_density
+from torquerig.inference.one_number import without_priors
 from torquerig.inference.prediction.expected_run import expected_run
 from torquerig.inference.readings.reading import CLEARLY, Reading, SetupFault, gain_of
 from torquerig.rig.assembly import Rig
@@ -16,7 +18,10 @@ SLIPS = tuple(sorted(one**sign for one in (2**0.5, 2.0, 4.0, 10.0, 100.0, 1000.0
 _NEAR_SLIP = 0.14  # of the logarithm: half the distance of the nearest two slips, 1.41 and 2, less a margin of 0.03
 _FAR_SCALE = float(np.log(1.3))  # of the median size: nearer than this, numbers of the parts explain it
 _WIDE = 1.4  # of the logarithm of the scale: a factor of 4
-_MOVED = 2.0  # [standard deviations] a number that is off does not stay nearer to its stated value
+_MOVED = 2.0  # [standard deviations] a number that is off would not be nearer to its stated value without its prior
+_NUMBERS = 3  # that are fitted in place of the scale
+_MOST = 3.0  # [standard deviations] of the wide prior: a fit begins no farther off
+_ALIKE = log(20.0)  # [nats] numbers less far behind are not excluded
 _STRONG, _LARGE = 10.0, 0.2  # times the noise, and of the largest level: lines and levels that show a scale
 
 
@@ -36,11 +41,14 @@ def other_scale(reading: Reading, rig: Rig) -> Reading:
         found = stated * slip(found / stated)
         sensor = replace(fit.rig.part(rig.measured), scale=found)  # type: ignore[call-arg]
         again = fitted(fit.rig.changed(sensor), fit.knobs, reading.data, nominal=fit.nominal)
-    if gain_of(again, fit) <= CLEARLY or again.log_evidence < _best_number(reading, columns[0]):
+    if gain_of(again, fit) <= CLEARLY:
+        return reading
+    ahead = again.log_evidence - _best_number(reading, columns[0])
+    if ahead < 0:
         return reading
     fault = SetupFault(
         kind="sensor_scale", of=rig.measured, stated=stated, estimated=found, unit="1",
-        equivalent_to=(),
+        equivalent_to=("parameter",) if ahead < _ALIKE else (),
         explanation=f"The sensor {rig.measured} reads {found:.4g} times the torque that the scenario and the sidecars "
         "state.",
     )  # fmt: skip
@@ -48,14 +56,19 @@ def other_scale(reading: Reading, rig: Rig) -> Reading:
 
 
 def _best_number(reading: Reading, scale: int) -> float:
-    """Return the largest evidence [nats] with one number of the rig far from its stated value in place of the scale."""
+    """Return the largest evidence [nats] with one number of the rig far from its stated value in place of the scale.
+
+    Those are fitted that would gain most without their prior, whether or not the fit has moved them.
+    """
     fit, best = reading.fit, -np.inf
-    for at in np.flatnonzero(np.abs(fit.positions) > _MOVED).tolist():
+    free, gains = without_priors(fit)
+    far = [at for at, knob in enumerate(fit.knobs)
+           if at != scale and knob.factor and knob.spread < _WIDE and abs(free[at]) > _MOVED]  # fmt: skip
+    for at in sorted(far, key=lambda one: -gains[one])[:_NUMBERS]:
         knob = fit.knobs[at]
-        if at != scale and knob.factor and knob.spread < _WIDE:
-            knobs, start = list(fit.knobs), np.zeros(len(fit.knobs))
-            knobs[at], start[at] = replace(knob, spread=_WIDE), fit.positions[at] * knob.spread / _WIDE
-            best = max(best, fitted(fit.rig, knobs, reading.data, start=start).log_evidence)
+        knobs, start = list(fit.knobs), np.zeros(len(fit.knobs))
+        knobs[at], start[at] = replace(knob, spread=_WIDE), np.clip(free[at] * knob.spread / _WIDE, -_MOST, _MOST)
+        best = max(best, fitted(fit.rig, knobs, reading.data, start=start).log_evidence)
     return best
 
 
