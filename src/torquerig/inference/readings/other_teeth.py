@@ -14,9 +14,14 @@ from math import ceil, floor, log
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnosis.fitting.knobs import turned
 from torquerig.diagnosis.linear.twin import Twin
+from torquerig.diagnosis.looking.places import order
 from torquerig.errors import TorquerigError
+from torquerig.inference.features.run_features import run_features
+from torquerig.inference.likelihood import LEVEL, LINE, Discrepancy, log_density, residuals_of
 from torquerig.inference.model_density import model_densities
+from torquerig.inference.prediction.expected_run import expected_run
 from torquerig.inference.prediction.rig_lines import rig_lines
 from torquerig.inference.readings.order_comb import OrderSpectrum, expected_over_noise, order_spectrum
 from torquerig.inference.readings.reading import CLEARLY, SLIP_LOG_ODDS, Read, Reading, SetupFault, gain_of
@@ -28,6 +33,7 @@ Floats = NDArray[np.float64]
 _FARTHEST = 2.0  # times the stated count of the input, and the stated ratio: no slip in a catalog's list is larger
 _FIXED = 1e-9  # [1] exponent of a line that does not move
 _ALIKE = log(20.0)  # [nats] pairs less far behind are not excluded
+_COMPARED = 24  # of those pairs, evenly from the best to the last, are compared by features
 
 
 @dataclass(frozen=True)
@@ -49,15 +55,38 @@ def other_teeth(stated: Reading, rig: Rig, read: Read) -> Reading:
     ranked = sorted(_candidates(stated, rig), key=lambda one: -one.ahead)
     if not ranked or ranked[0].ahead < CLEARLY:
         return stated
-    best = ranked[0]
-    other = with_pair(rig, best.stage, best.pair)
-    known = stated.data.seen[0].places
-    again = read(other, also=known)
+    near = [one for one in ranked if ranked[0].ahead - one.ahead < _ALIKE]
+    best = _by_features(near, stated, rig)
+    again = read(with_pair(rig, best.stage, best.pair), also=stated.data.seen[0].places)
     same = read(rig, stated.runs, also=again.data.seen[0].places)
     if gain_of(again.fit, same.fit) < 0:
         return stated
-    near = [one for one in ranked if best.ahead - one.ahead < _ALIKE]
     return replace(again, faults=(_fault(best, near), *stated.faults))
+
+
+def _by_features(near: Sequence[_Candidate], stated: Reading, rig: Rig) -> _Candidate:
+    """Return the pair that lines and mean torques favour among those that whole runs do not separate.
+
+    Where only a mesh line shows, its place gives the teeth of the input; their ratio is in the sizes.
+    """
+    rows: list[int] = np.unique(np.linspace(0, len(near) - 1, _COMPARED).astype(int)).tolist()
+    chosen = [near[row] for row in rows]
+    if len(chosen) == 1:
+        return chosen[0]
+    runs = [seen.run for seen in stated.data.seen]
+    rigs = [with_pair(rig, one.stage, one.pair) for one in chosen]
+    places = {order(line.order) for one in rigs for run in runs for line in Twin(one.at(run.run)).lines()}
+    data = [run_features(run, sorted({*stated.data.seen[0].places, *places})) for run in runs]
+
+    def density(one: Rig) -> float:
+        at = turned(one, stated.fit.knobs, stated.fit.positions)
+        return sum(
+            log_density(residuals_of(seen, expected_run(at, seen), Discrepancy(), kind))
+            for seen in data for kind in (LINE, LEVEL)
+        )  # fmt: skip
+
+    total = [one.ahead + density(each) for one, each in zip(chosen, rigs, strict=True)]
+    return chosen[total.index(max(total))]
 
 
 def _candidates(stated: Reading, rig: Rig) -> Iterator[_Candidate]:

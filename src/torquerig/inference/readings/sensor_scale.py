@@ -19,6 +19,7 @@ _NEAR_SLIP = 0.14  # of the logarithm: half the distance of the nearest two slip
 _FAR_SCALE = float(np.log(1.3))  # of the median size: nearer than this, numbers of the parts explain it
 _WIDE = 1.4  # of the logarithm of the scale: a factor of 4
 _MOVED = 2.0  # [standard deviations] a number that is off would not be nearer to its stated value without its prior
+_OF_RANGE = 0.5  # of the largest mean torque: standard deviation of a zero that nobody set
 _NUMBERS = 3  # that are fitted in place of the scale
 _MOST = 3.0  # [standard deviations] of the wide prior: a fit begins no farther off
 _ALIKE = log(20.0)  # [nats] numbers less far behind are not excluded
@@ -62,12 +63,14 @@ def _best_number(reading: Reading, scale: int) -> float:
     """
     fit, best = reading.fit, -np.inf
     free, gains = without_priors(fit)
+    largest = max(float(np.abs(seen.level).max(initial=0.0)) for seen in reading.data.seen)
+    wide = [_WIDE if knob.factor else _OF_RANGE * largest for knob in fit.knobs]
     far = [at for at, knob in enumerate(fit.knobs)
-           if at != scale and knob.factor and knob.spread < _WIDE and abs(free[at]) > _MOVED]  # fmt: skip
+           if at != scale and knob.spread < wide[at] and abs(free[at]) > _MOVED]  # fmt: skip
     for at in sorted(far, key=lambda one: -gains[one])[:_NUMBERS]:
         knob = fit.knobs[at]
         knobs, start = list(fit.knobs), np.zeros(len(fit.knobs))
-        knobs[at], start[at] = replace(knob, spread=_WIDE), np.clip(free[at] * knob.spread / _WIDE, -_MOST, _MOST)
+        knobs[at], start[at] = replace(knob, spread=wide[at]), np.clip(free[at] * knob.spread / wide[at], -_MOST, _MOST)
         best = max(best, fitted(fit.rig, knobs, reading.data, start=start).log_evidence)
     return best
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import log
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.fit import fitted
@@ -12,6 +14,10 @@ from torquerig.inference.measured_run import MeasuredRun
 from torquerig.inference.readings.reading import CLEARLY, Reading, SetupFault, gain_of
 from torquerig.rig.assembly import Rig
 
+Floats = NDArray[np.float64]
+
+_OF_RANGE = 0.5  # of the largest mean torque: standard deviation of a zero that nobody set
+_ALIKE = log(20.0)  # [nats] a zero that is less far behind is not excluded
 _SIGN_MATTERS = 3  # levels at least, with a mean that exceeds their scatter
 
 
@@ -29,12 +35,28 @@ def other_sign(reading: Reading, rig: Rig) -> Reading:
     again = fitted(fit.rig, fit.knobs, data)
     if gain_of(again, fit) <= CLEARLY:
         return reading
+    ahead = again.log_evidence - _with_another_zero(reading, rig, measured, expected)
+    if ahead < 0:
+        return reading
     fault = SetupFault(
-        kind="sensor_sign", of=rig.measured, stated=1.0, estimated=-1.0, unit="1", equivalent_to=(),
+        kind="sensor_sign", of=rig.measured, stated=1.0, estimated=-1.0, unit="1",
+        equivalent_to=("sensor_zero",) if ahead < _ALIKE else (),
         explanation=f"The sensor {rig.measured} reads with the other sign than the scenario states: it is mounted the "
         "other way round, or its cable is.",
     )  # fmt: skip
     return Reading(runs, data, again, (fault, *reading.faults))
+
+
+def _with_another_zero(reading: Reading, rig: Rig, measured: Floats, expected: Floats) -> float:
+    """Return the evidence [nats] with a zero that nobody set: it turns the sign of all mean torques too."""
+    fit, knobs = reading.fit, list(reading.fit.knobs)
+    columns = [at for at, knob in enumerate(knobs) if (knob.part, knob.field) == (rig.measured, "zero")]
+    if not columns:
+        return -np.inf
+    wide = _OF_RANGE * float(np.abs(measured).max())
+    start = np.zeros(len(knobs))
+    knobs[columns[0]], start[columns[0]] = replace(knobs[columns[0]], spread=wide), (measured - expected).mean() / wide
+    return fitted(fit.rig, knobs, reading.data, start=start).log_evidence
 
 
 def _reversed(seen: RunFeatures, run: MeasuredRun) -> RunFeatures:
