@@ -57,7 +57,10 @@ def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
         routes = line_routes(seen, each.frequency)
         row = np.broadcast_to(np.arange(count), each.frequency.shape)
         at, inside = routes.place >= 0, routes.band >= 0
-        kept = np.ones(each.frequency.shape)
+        kept, share = np.ones(each.frequency.shape), routes.share
+        if np.any(each.half_width):  # a Lorentzian that is wider than a bin shows as much at a place next to its middle
+            apart = np.abs(each.frequency - seen.line_frequency[row, np.maximum(routes.place, 0)])
+            share = np.maximum(share, 1 / (1 + np.square(apart / np.maximum(each.half_width, 1e-9))))
         skirts = kept_skirts(twin, seen, each.node) if each.follows and count else None
         if skirts is not None:
             there = row, np.maximum(routes.place, 0)
@@ -68,8 +71,8 @@ def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
             (power, each.square), (moved, each.shifted), (varied, each.square * each.varied),
             (aligned, each.square * routes.aligned), (noisy, each.square * each.scatter),
         ):  # fmt: skip
-            np.add.at(total, (row[at], routes.place[at]), (routes.share * kept * values)[at])
-        np.maximum.at(strongest, (row[at], routes.place[at]), (routes.share * kept * each.square)[at])
+            np.add.at(total, (row[at], routes.place[at]), (share * kept * values)[at])
+        np.maximum.at(strongest, (row[at], routes.place[at]), (share * kept * each.square)[at])
         without = np.where(inside, 0.5 * kept * each.square, 0.0)
         swept = seen.swept if each.follows else np.ones((count, 2))
         density += _swept_density(seen, each.frequency, without, swept)

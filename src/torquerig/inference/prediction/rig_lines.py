@@ -30,7 +30,7 @@ class RigLines(NamedTuple):
     Frequencies [Hz], mean squares of the amplitudes [(N m)^2], the same with all modes at ``1 - SHIFT`` of their
     frequency, standard deviations of the logarithm of the square over the speeds of each segment [1], and whether they
     follow the shaft, that of ``node``. ``scatter`` is the variance of the logarithm of the square in one block [1], of
-    lines that are noise in part.
+    lines that are noise in part, with the half-widths ``half_width`` [Hz].
     """
 
     frequency: Floats
@@ -40,6 +40,7 @@ class RigLines(NamedTuple):
     follows: bool
     node: str = ""
     scatter: Floats | float = 0.0
+    half_width: Floats | float = 0.0
 
 
 def rig_lines(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
@@ -54,10 +55,11 @@ def _at_the_sensor(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
     frequency, size = crosstalk_lines(twin, seen)
     if size.size:
         yield RigLines(frequency, size**2, size**2, np.zeros(size.shape), True)
-    frequency, size, share = ringing_lines(twin, seen)
-    if size.size:
-        scatter = _OF_EXPONENTIAL * np.square(1 - share)
-        yield RigLines(frequency, size**2, size**2, np.zeros(size.shape), True, scatter=scatter)
+    comb = ringing_lines(twin, seen)
+    if comb.amplitude.size:
+        square, scatter = comb.amplitude**2, _OF_EXPONENTIAL * np.square(1 - comb.share)
+        none = np.zeros(square.shape)
+        yield RigLines(comb.frequency, square, square, none, True, scatter=scatter, half_width=comb.half_width)
     volts = seen.unit
     for stage in twin.rig.stages():
         if isinstance(stage, Tone):

@@ -9,6 +9,7 @@ below and far above x = 1, by 17 % too low at x = 2. Source: phase noise, any te
 from __future__ import annotations
 
 from math import pi
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,12 +38,23 @@ def ringing_density(twin: Twin, seen: RunFeatures) -> Floats:
     return answer
 
 
-def ringing_lines(twin: Twin, seen: RunFeatures) -> tuple[Floats, Floats, Floats]:
-    """Return frequencies [Hz] and amplitudes [N m] of the lines of the combs, shape (lines, segments).
+class CombLines(NamedTuple):
+    """Lines of combs, shape (lines, segments).
 
-    And the share of its power that is in the line of a block [1].
+    Frequencies [Hz], amplitudes in the line of a block [N m], which share of the power that is [1], and half-widths
+    [Hz].
     """
-    frequency, amplitude, shares = list[Floats](), list[Floats](), list[Floats]()
+
+    frequency: Floats
+    amplitude: Floats
+    share: Floats
+    half_width: Floats
+
+
+def ringing_lines(twin: Twin, seen: RunFeatures) -> CombLines:
+    """Return the lines of the combs of all rung modes."""
+    none = np.zeros((0, len(seen.segments)))
+    found = [CombLines(none, none, none, none)]
     for stage in _ringing(twin):
         rate = _impacts(stage, seen)
         slowest = float(rate[rate > 0].min(initial=np.inf))
@@ -53,11 +65,10 @@ def ringing_lines(twin: Twin, seen: RunFeatures) -> tuple[Floats, Floats, Floats
         # a line of amplitude a has the power a^2 / 2, which is the density times the distance of two lines
         power = np.column_stack([2 * each * stage.density(at[:, row], each) for row, each in enumerate(rate.tolist())])
         kept = (share > 0).any(axis=1)
-        frequency.append(at[kept])
-        amplitude.append(np.sqrt(share * power * twin.amplifier_power(at))[kept])
-        shares.append(share[kept])
-    none = np.zeros((0, len(seen.segments)))
-    return np.concatenate([none, *frequency]), np.concatenate([none, *amplitude]), np.concatenate([none, *shares])
+        amplitude = np.sqrt(share * power * twin.amplifier_power(at))
+        width = pi * (multiple * stage.slip) ** 2 * rate
+        found.append(CombLines(at[kept], amplitude[kept], share[kept], width[kept]))
+    return CombLines(*(np.concatenate(parts) for parts in zip(*found, strict=True)))
 
 
 def _ringing(twin: Twin) -> list[Ringing]:
