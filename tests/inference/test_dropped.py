@@ -24,6 +24,10 @@ STEP = Addition(
 )  # fmt: skip
 
 
+def by_eight_nats(_, model, less):
+    return model.log_odds - less.log_odds >= 8.0
+
+
 def with_both(tmp_path, *hidden, step=0.0):
     """Return the data of runs with hidden effects, and the model with a drift and a step, fitted from ``step`` [V]."""
     scenario = pump_scenario(tmp_path)
@@ -39,7 +43,7 @@ def with_both(tmp_path, *hidden, step=0.0):
 def test_a_drift_that_a_step_makes_needless_is_dropped(tmp_path, zero):
     hidden = mechanisms.ReadingCourse(name="hidden", shape="step", at=0.45, zero=zero)
     data, both = with_both(tmp_path, hidden, step=zero)
-    model = without_needless(both, data, (), least=8.0)
+    model = without_needless(both, data, (), wins=by_eight_nats)
     assert model.additions == (STEP,)
     assert both.log_odds - model.log_odds < 8.0
     assert model.fit.fitted_rig.part("course").zero == pytest.approx(zero, rel=0.2)
@@ -47,4 +51,4 @@ def test_a_drift_that_a_step_makes_needless_is_dropped(tmp_path, zero):
 
 def test_a_drift_that_is_there_stays(tmp_path):
     data, both = with_both(tmp_path, mechanisms.SensorDrift(name="hidden", span=1.0, time_constant=None))
-    assert without_needless(both, data, (), least=8.0) is both
+    assert without_needless(both, data, (), wins=by_eight_nats) is both

@@ -9,7 +9,7 @@ discrepancy             how far a right model may be off           model_density
 readings/               other readings of the samples: with a fact of the set-up corrected
 parameters, fit         the nominal rig's numbers, their maximum of the posterior, and the evidence; moved_gain: slopes
 additions/, addition    hypotheses: nameless effects, numbers far off, mechanisms
-context, shafts, tones, one_size    for them
+context, shafts, tones, one_size    for them; undecided_lines: orders that may be frequencies
 search                  the additions of the largest posterior odds
 adequacy, held_out      whether a model explains the data, and those that no fit has seen
 isolability/            what recordings can show and separate

@@ -18,6 +18,7 @@ from torquerig.inference.fit import Data, Fit, all_residuals
 from torquerig.inference.likelihood import BAND, floor_density
 from torquerig.inference.prediction.expected_run import expected_run
 from torquerig.inference.shafts import Shaft, shafts_of, whole_order
+from torquerig.inference.undecided_lines import column_of
 from torquerig.rig.assembly import Part, Rig
 
 SHARE_OF_SIGNAL = 0.03  # [1] of the signal's standard deviation: median of the prior of an amplitude
@@ -158,7 +159,7 @@ class Context:
         for row, seen in enumerate(self.data.seen):
             if place not in seen.places:
                 continue
-            column = seen.places.index(place)
+            column = column_of(seen, place)
             model = self.fit.expected[row]
             added = np.sqrt(np.maximum((expected_run(rig, seen).line_power - model.line_power)[:, column], 0.0))
             noise = floor_density(seen, model)[:, column]
@@ -181,7 +182,7 @@ def lacks(fit: Fit, data: Data, place: Place) -> bool:
     """
     for seen, model in zip(data.seen, fit.expected, strict=True):
         if place in seen.places:
-            at = seen.places.index(place)
+            at = column_of(seen, place)
             noise = seen.lines.noise_bandwidth[:, at] * floor_density(seen, model)[:, at]
             shown = seen.lines.count[:, at] > 0
             measured, expected = seen.lines.power[shown, at], model.line_power[shown, at] + noise[shown]

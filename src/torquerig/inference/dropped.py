@@ -6,7 +6,7 @@ model with it wins by as much as a new name must, compared with the model that h
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -18,10 +18,13 @@ from torquerig.inference.fit import Data, Fit, fitted
 from torquerig.inference.model import Model
 
 
-def without_needless(model: Model, data: Data, lines: Sequence[FoundLine], *, least: float) -> Model:
-    """Return the model without the mechanisms, other than the last addition, that win by less than ``least`` [nats].
+def without_needless(
+    model: Model, data: Data, lines: Sequence[FoundLine], *, wins: Callable[[Addition, Model, Model], bool]
+) -> Model:
+    """Return the model without the mechanisms, other than the last addition, that no longer win.
 
-    ``lines`` are all found lines; those of what was dropped are unexplained again.
+    ``wins`` says whether an addition does, from the models with it and without it. ``lines`` are all found lines; those
+    of what was dropped are unexplained again.
     """
     for each in model.additions[:-1]:
         fit = _refitted(model.fit, data, each) if each.is_named else None
@@ -33,7 +36,7 @@ def without_needless(model: Model, data: Data, lines: Sequence[FoundLine], *, le
             model, fit=fit, additions=rest, lines=tuple(line for line in lines if line.place not in taken),
             alternatives=tuple(row for row in model.alternatives if row[0] is not each),
         )  # fmt: skip
-        if model.log_odds - less.log_odds < least:
+        if not wins(each, model, less):
             model = less
     return model
 

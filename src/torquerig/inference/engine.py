@@ -21,6 +21,7 @@ from torquerig.inference.parameters import parameters
 from torquerig.inference.readings import SET_POINT_ERROR, Reading, SetupFault, best_reading
 from torquerig.inference.sample_faults import sample_faults, usable_runs
 from torquerig.inference.search import searched
+from torquerig.inference.undecided_lines import in_both_domains
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario
@@ -111,7 +112,8 @@ def diagnose(
     runs, data, nominal = ready.runs, ready.data, ready.nominal
     progress("searching lines that the model lacks")
     densities = model_densities(nominal, data)
-    lines = search_lines([seen.run for seen in data.seen], ready.known, densities) if ready.judged else ()
+    found = search_lines([seen.run for seen in data.seen], ready.known, densities) if ready.judged else ()
+    lines = in_both_domains(found, data.seen)
     places = [*ready.known, *(line.place for line in lines)]
     if lines:
         data = features_of(runs, places)

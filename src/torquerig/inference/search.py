@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +24,7 @@ from torquerig.inference.likelihood import log_density_of, weights
 from torquerig.inference.model import Model
 from torquerig.inference.one_number import at_stated, without_priors
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
+from torquerig.inference.undecided_lines import column_of
 from torquerig.rig.assembly import Rig
 
 Floats = NDArray[np.float64]
@@ -54,7 +56,7 @@ def searched(
         better, tried = _extended(model, data, held)
         if better is None:
             return replace(model, tried=tried)
-        model = without_needless(better, data, lines, least=LEAST_GAIN)
+        model = without_needless(better, data, lines, wins=partial(_still_wins, held=held))
         progress(f"adding {model.additions[-1].label}")
     return model
 
@@ -71,25 +73,46 @@ def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple
     before = held_out_density(model.fit, held)
     winners = [
         one for one in fits
-        if one.log_odds > model.log_odds + _least(one)[0]
-        and held_out_density(one.fit, held) > _compared(model.fit, one.additions[-1], held, before) + _least(one)[1]
+        if wins(
+            one.additions[-1], odds=one.log_odds - model.log_odds,
+            held_out=held_out_density(one.fit, held) - _compared(model.fit, one.additions[-1], held, before),
+        )
     ]  # fmt: skip
     if not winners:
         return None, tried
     best = max(winners, key=lambda one: one.log_odds)
     added = best.additions[-1]
     # one of better odds failed on the held-out data and is no alternative
-    behind = [one for one in fits if one is not best and one.log_odds <= best.log_odds]
+    behind = [one for one in fits if one is not best and one.log_odds <= best.log_odds
+              and competes(added, one.additions[-1], data)]  # fmt: skip
     others = [(added, one.additions[-1], best.log_odds - one.log_odds) for one in behind]
     return replace(best, alternatives=(*model.alternatives, *others)), tried
 
 
-def _least(extended: Model) -> tuple[float, float]:
-    """Return by how much an addition must win: in posterior odds, and on the held-out data [nats]."""
-    added = extended.additions[-1]
-    if added.is_named:
-        return LEAST_GAIN, LEAST_HELD_OUT
-    return LEAST_OTHER, LEAST_HELD_OUT_OTHER if added.parts else LEAST_HELD_OUT
+def wins(added: Addition, *, odds: float, held_out: float) -> bool:
+    """Return whether an addition wins by its gains of posterior odds and of the held-out likelihood [nats].
+
+    No fit has seen the held-out data, so that both together are the odds given all data. Those of a mechanism must
+    reach what it needs in both, whichever of them they come from.
+    """
+    least = LEAST_HELD_OUT_OTHER if added.parts and not added.is_named else LEAST_HELD_OUT
+    needed = LEAST_GAIN + LEAST_HELD_OUT if added.is_named else 0.0
+    return odds > LEAST_OTHER and held_out > least and odds + held_out > needed
+
+
+def _still_wins(each: Addition, model: Model, less: Model, *, held: Data) -> bool:
+    """Return whether an addition wins in a model that has others, compared with the one without it."""
+    held_out = held_out_density(model.fit, held) - held_out_density(less.fit, held)
+    return wins(each, odds=model.log_odds - less.log_odds, held_out=held_out)
+
+
+def competes(one: Addition, other: Addition, data: Data) -> bool:
+    """Return whether two additions explain the same thing; of lines at other places both may be there."""
+    rows, others = (
+        {(run, column_of(seen, place)) for run, seen in enumerate(data.seen) for place in each.places}
+        for each in (one, other)
+    )
+    return not rows or not others or not rows.isdisjoint(others)
 
 
 def _compared(fit: Fit, each: Addition, held: Data, before: float) -> float:
@@ -105,20 +128,30 @@ def _compared(fit: Fit, each: Addition, held: Data, before: float) -> float:
 
 
 def _fitted(model: Model, data: Data, screened: Sequence[tuple[Addition, tuple[float, ...]]]) -> list[Model]:
-    """Return the first of the screened additions fitted together with the model, one of each kind and place."""
-    kinds: dict[tuple[object, ...], tuple[Addition, tuple[float, ...]]] = {}
-    for each, start in screened:
-        kind = (
-            each.mechanism or each.kind,
-            each.variant,
-            each.places,
-            *(getattr(part, "at", "") for part in each.parts),
-            *(() if each.parts else each.names),
-        )
-        if len(kinds) < FITTED:
-            kinds.setdefault(kind, (each, start))
-    fits = of_each(lambda one: _together(model, data, *one), list(kinds.values()))
+    """Return the most promising of the screened additions fitted together with the model."""
+    chosen = most_promising([each for each, _ in screened], data)
+    starts = {id(each): start for each, start in screened}
+    fits = of_each(lambda one: _together(model, data, one, starts[id(one)]), chosen)
     return [together for together in fits if together is not None]
+
+
+def most_promising(ranked: Sequence[Addition], data: Data) -> list[Addition]:
+    """Return ``FITTED`` additions: the first, those that explain lines of it, and one of other things or more.
+
+    Of one kind and place there is one, of nameless effects whatever shaft they act on. What wins a round must have been
+    compared with all that it may be instead; what explains other lines has its round later.
+    """
+    kinds = dict[tuple[object, ...], Addition]()
+    for each in ranked:
+        acts = [getattr(part, "at", "") for part in each.parts] if each.is_named else [] if each.parts else each.names
+        kinds.setdefault((each.mechanism or each.kind, each.variant, each.places, *acts), each)
+    different = list(kinds.values())
+    if not different:
+        return []
+    shares = [bool(each.places and different[0].places) and competes(different[0], each, data) for each in different]
+    instead = [each for each, does in zip(different[1:], shares[1:], strict=True) if does][: FITTED - 2]
+    others = [each for each in different[1:] if not any(each is one for one in instead)]
+    return [*different[:1], *instead, *others][:FITTED]
 
 
 def _screened(context: Context, each: Addition) -> tuple[float, tuple[float, ...]]:

@@ -17,6 +17,7 @@ from torquerig.inference.engine import Outcome
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.fit import all_residuals
 from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE, Residuals
+from torquerig.inference.undecided_lines import column_of
 
 _ORDER_WIDTH, _TONE_WIDTH = 0.01, 1.0  # [1/rev], [Hz] to which the place of a line is reported
 _DECIBELS = 10 / log(10)
@@ -78,7 +79,7 @@ def _of_line(
     """Return one place; ``p_value`` is that of the search for lines, which knows of all blocks."""
     excess, largest, there, names = 0.0, 0.0, 0.0, list[str]()
     for one, each in zip(seen, runs, strict=True):
-        rows = np.flatnonzero((each.kind == LINE) & (each.at == one.places.index(place)))
+        rows = np.flatnonzero((each.kind == LINE) & (each.at == column_of(one, place)))
         if rows.size:
             names.append(one.run.name)
             excess = max(excess, float(each.value[rows].max()))
