@@ -104,3 +104,15 @@ def test_a_line_next_to_a_removed_one_stands_out():
     ratios = np.random.default_rng(2).exponential(size=400)
     ratios[195:206], ratios[207:210] = np.nan, (30.0, 90.0, 30.0)
     assert exceeds_surroundings(ratios, 208, level=1e-3)
+
+
+@pytest.mark.parametrize("offset", [0.0, 0.3, 0.5])
+@pytest.mark.parametrize("low", [0.3, 12.0])
+def test_a_strong_line_is_placed_between_the_bins(low, offset):
+    duration = 12.0
+    turned = duration * 1000 / 60  # one bin of the whole run is 1 / turned; that of its blocks is wider
+    place = (round(low * turned) + offset) / turned
+    runs = [drawn_run(seed, speed=steady(1000, duration=duration), orders={place: 0.5}, noise=NOISE) for seed in (1, 2)]
+    (found,) = search_lines(runs, [], [nothing] * 2)[:1]
+    at = found.place.at if found.place.domain == "order" else found.place.at * 60 / 1000
+    assert at == pytest.approx(place, abs=0.15 * 3 / turned)  # bins of the longest blocks in a row, a third of the run

@@ -56,7 +56,7 @@ def noise_ratios(run: MeasuredRun, places: Sequence[Place], density: Density) ->
         if abs(turned) > 2 * pi * FEWEST_TURNS and np.abs(np.diff(np.sign(run.speed[part]))).max(initial=0) == 0:
             even = np.linspace(0.0, abs(turned), rest.size)
             by_angle = np.interp(even, np.maximum.accumulate(np.sign(turned) * (angle - angle[0])), rest)
-            turning, order_step = _over_noise(by_angle, run.rate, density), 2 * pi / abs(turned)
+            turning, order_step = _over_noise(by_angle, run.rate, density), 2 * pi / abs(turned) * (1 - 1 / rest.size)
         speeds = float(turning_at.min()), float(turning_at.max())
         each = NoiseRatios(run, run.smearing(part), float(turning_at.mean()), speeds, turning, order_step, direct, step)
         _ignore(each, places, reach=NEAR * rest.size / min(block.stop - block.start for block in blocks))
@@ -135,3 +135,8 @@ def as_exponential(ratio: Floats) -> Floats:
     distribution).
     """
     return np.asarray(_INDEPENDENT * np.log1p(ratio / _INDEPENDENT))
+
+
+def measured_ratio(values: Floats) -> Floats:
+    """Return the power over the noise of bins whose exponential variates are ``values`` [1]."""
+    return np.asarray(_INDEPENDENT * np.expm1(values / _INDEPENDENT))
