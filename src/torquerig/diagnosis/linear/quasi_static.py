@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -24,12 +25,15 @@ class QuasiStatic:
     motor: Floats
 
 
-def quasi_static(twin: Twin, *, speed: Floats, acceleration: Floats) -> QuasiStatic:
+def quasi_static(
+    twin: Twin, *, speed: Floats, acceleration: Floats, held: Mapping[str, Floats] | None = None
+) -> QuasiStatic:
     """Return the torques while the motor turns at ``speed`` [rad/s] and gains ``acceleration`` [rad/s^2].
 
     Power balance along the shafts: each torque reaches motor and sensor times the turns of its node, over theirs and
     over the efficiencies between; the sensor reads it negative where it turns against the motor. Springs are taken as
-    rigid, which holds far below the first mode.
+    rigid, which holds far below the first mode. ``held`` is the share of its dry torque, from -1 to 1, that a node
+    holds, shape as ``speed``; without it that of the direction of its speed.
     """
     sensor, motor = np.zeros(speed.shape), np.zeros(speed.shape)
     behind, efficiency = shares_at_sensor(twin), _efficiency(twin)
@@ -39,16 +43,19 @@ def quasi_static(twin: Twin, *, speed: Floats, acceleration: Floats) -> QuasiSta
         node = term.node if isinstance(term, Inertia) else term.on
         if node not in twin.turns:
             continue
-        torque = _opposing(term, speed * twin.turns[node], acceleration * twin.turns[node])
+        share = None if held is None else held.get(node)
+        torque = _opposing(term, speed * twin.turns[node], acceleration * twin.turns[node], share)
         motor += torque * twin.turns[node] / efficiency.get(node, 1.0)
         if node in behind:
             sensor += behind[node] * torque
     return QuasiStatic(sensor, motor)
 
 
-def _opposing(term: object, speed: Floats, acceleration: Floats) -> Floats:
+def _opposing(term: object, speed: Floats, acceleration: Floats, held: Floats | None) -> Floats:
     if isinstance(term, Inertia):
         return yielding_torque(term, speed, acceleration)
+    if held is not None:
+        return np.asarray(yielding_torque(term, speed, acceleration) + np.abs(dry_torque(term, speed)) * held)
     smoothing = getattr(term, "smoothing", 1.0)
     return np.asarray(
         yielding_torque(term, speed, acceleration) + dry_torque(term, speed) * np.abs(np.tanh(speed / smoothing))

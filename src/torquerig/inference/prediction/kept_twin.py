@@ -11,6 +11,7 @@ from torquerig.diagnosis.linear.quasi_static import OPPOSING, QuasiStatic, quasi
 from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.prediction.skirts import Skirts, skirts_of
+from torquerig.inference.prediction.wound_up import held_shares
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Load, Spring
 
@@ -42,7 +43,9 @@ def level_balance(twin: Twin, seen: RunFeatures) -> QuasiStatic:
     """Return the slow torques at the moments of each part [N m], shape (levels, POINTS)."""
     return seen.kept.get(
         "levels", _slow_key(twin),
-        lambda: quasi_static(twin, speed=seen.level_speed, acceleration=seen.level_acceleration),
+        lambda: quasi_static(
+            twin, speed=seen.level_speed, acceleration=seen.level_acceleration, held=held_shares(twin, seen)
+        ),
     )  # fmt: skip
 
 
