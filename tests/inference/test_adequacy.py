@@ -73,3 +73,17 @@ def test_the_error_that_is_to_be_expected_of_a_true_model_is_no_excess():
                          np.zeros(shown.size, dtype=np.intp))  # fmt: skip
         totals.append(judged_run(seen, each).excess[BAND])
     assert abs(np.mean(totals)) < 4 * np.std(totals) / np.sqrt(len(totals))
+
+
+@pytest.mark.parametrize("common", [0.5, 0.8])
+def test_errors_that_neighbours_have_in_common_are_no_misfit(common):
+    rng, found = np.random.default_rng(11), []
+    segment = np.repeat(np.arange(20), 30)
+    for _ in range(300):
+        shared = np.repeat(rng.standard_normal(20), 30)
+        value = np.sqrt(common) * shared + np.sqrt(1 - common) * rng.standard_normal(600)
+        value *= np.sqrt(DEGREES_OF_FREEDOM / (DEGREES_OF_FREEDOM - 2))  # the variance of Student's distribution
+        each = Residuals(value, np.ones(600), np.full(600, BAND, dtype=np.int8), np.arange(600), segment)
+        run = JudgedRun(None, each, np.ones(600), {LINE: 0.0, BAND: 1.0, LEVEL: 0.0})
+        found.append(min(one.p_value for one in excesses([run], 0.5) if one.statistic.startswith("sum")))
+    assert np.mean(np.array(found) < 0.01) < 0.04
