@@ -144,19 +144,23 @@ def prepared(
     faults = sample_faults(recordings, rig)
     rig = faults.added_to(rig)
     progress("estimating the angle of the motor")
-    usable, judged = usable_runs(measured_runs(faults.recordings, rig), faults.unusable)
-    measured = with_held_out(usable, held_out)
+
+    def measured(of: Rig) -> tuple[tuple[MeasuredRun, ...], bool]:
+        made = measured_runs(faults.recordings, of)
+        shown = [replace(run, lost=lost) for run, lost in zip(made, faults.lost, strict=True)]
+        usable, judged = usable_runs(shown, faults.unusable)
+        return with_held_out(usable, held_out), judged
+
+    runs, judged = measured(rig)
     progress("fitting the parameters of the nominal model")
 
     def read(of: Rig, runs: Sequence[MeasuredRun] | None = None, *, also: Sequence[Place] = ()) -> Reading:
-        if runs is None:
-            usable, _ = usable_runs(measured_runs(faults.recordings, of), faults.unusable)
-            runs = with_held_out(usable, held_out)
+        runs = measured(of)[0] if runs is None else runs
         own = (order(line.order) for run in runs for line in Twin(of.at(run.run)).lines())
         seen = features_of(runs, sorted({*also, *own}))
         return Reading(tuple(runs), seen, fitted(of, parameters(scenario, of, runs), seen))
 
-    stated = read(rig, measured)
+    stated = read(rig, runs)
     within = scenario.operating_point.speed_set_point_error_max or SET_POINT_ERROR
     reading = best_reading(stated, rig, read, set_point_error=within) if judged else stated
     known = reading.data.seen[0].places

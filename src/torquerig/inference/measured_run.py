@@ -54,6 +54,8 @@ class MeasuredRun:
         second of a tacho, none where the angle was not measured.
     angle_noise : float
         Density of the error of the angle up to there [rad^2/Hz].
+    lost : ndarray of bool, shape (samples,), optional
+        Which samples hold no signal; None where all do.
     """
 
     recording: Recording
@@ -66,6 +68,7 @@ class MeasuredRun:
     pulses: float = float("inf")
     followed: float = float("inf")
     angle_noise: float = 0.0
+    lost: NDArray[np.bool_] | None = None
 
     @property
     def name(self) -> str:

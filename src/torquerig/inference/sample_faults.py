@@ -51,6 +51,8 @@ class SampleFaults:
         Repaired.
     unusable : tuple of ndarray of bool, shape (samples,)
         By recording, which samples are at a limit where they are too many to be rebuilt.
+    lost : tuple of ndarray of bool, shape (samples,)
+        By recording, which samples hold no signal.
     additions : tuple of Addition
         Without parameters that are fitted.
     coarser : float
@@ -59,6 +61,7 @@ class SampleFaults:
 
     recordings: tuple[Recording, ...]
     unusable: tuple[NDArray[np.bool_], ...]
+    lost: tuple[NDArray[np.bool_], ...]
     additions: tuple[Addition, ...]
     coarser: float = 1.0
 
@@ -96,8 +99,19 @@ def sample_faults(recordings: Sequence[Recording], rig: Rig) -> SampleFaults:
         stuck = [at_limit(each, limit=limit[1]) for each in recordings]
         unusable = tuple(each if too_long(each) else np.zeros_like(each) for each in stuck)
         recordings = tuple(rebuilt(each, limit=limit[1]) for each in recordings)
+    empty = tuple(
+        covered(own if dropouts is not None else (), each.samples) for each, own in zip(recordings, lost, strict=True)
+    )
     named = tuple(each for each in found if each.is_named)
-    return SampleFaults(tuple(recordings), unusable, named, 1.0 if coarse is None else code / step)
+    return SampleFaults(tuple(recordings), unusable, empty, named, 1.0 if coarse is None else code / step)
+
+
+def covered(moments: Iterable[Gap], samples: int) -> NDArray[np.bool_]:
+    """Return which of so many samples lie in the moments, shape (samples,)."""
+    answer = np.zeros(samples, dtype=bool)
+    for start, stop, _ in moments:
+        answer[start:stop] = True
+    return answer
 
 
 def usable_runs(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,7 @@ from torquerig.diagnosis.looking.regression import HANN_NOISE, regressed
 from torquerig.diagnosis.looking.waves import Waves
 from torquerig.inference.features.line_places import line_frequencies, shown_places
 from torquerig.inference.measured_run import MeasuredRun
+from torquerig.recordings.repair.moments import moments_of
 
 Floats = NDArray[np.float64]
 
@@ -49,8 +50,13 @@ class LinePowers:
 
 
 def line_powers(run: MeasuredRun, samples: slice, places: Sequence[Place]) -> LinePowers:
-    """Return the lines at ``places`` in the samples of a block."""
+    """Return the lines at ``places`` in the samples of a block.
+
+    Moments without a signal have no weight in the regression: a line that is bridged there would be missing from the
+    torque, and its negative stand in the residual.
+    """
     torque, speed = run.torque[samples], run.speed[samples]
+    lost = np.zeros(0, dtype=bool) if run.lost is None else run.lost[samples]
     duration = torque.size / run.rate
     time = np.arange(torque.size) / run.rate
     smearing = run.smearing(samples)
@@ -59,7 +65,13 @@ def line_powers(run: MeasuredRun, samples: slice, places: Sequence[Place]) -> Li
         shown = [index for index in shown if places[index].domain == "frequency"]
     power, bandwidth, half_width, leakage = (np.full(len(places), np.nan) for _ in range(4))
     waves = Waves([places[index] for index in shown], run.angle[samples], time)
-    found = regressed(torque, waves, window=np.hanning(torque.size))
+    window = np.hanning(torque.size)
+    found = regressed(torque, waves, window=np.where(lost, 0.0, window) if lost.any() else window)
+    if lost.any():
+        found = replace(found, rest=_continued(found.rest, lost))
+        torque = (
+            found.rest + found.level + found.slope * np.linspace(-1.0, 1.0, torque.size) + waves.summed(found.amplitude)
+        )
     power[shown] = np.abs(found.amplitude) ** 2
     bandwidth[shown] = 2 * HANN_NOISE / duration * found.widening
     half_width[shown] = _RESOLVED / duration
@@ -78,6 +90,22 @@ def line_powers(run: MeasuredRun, samples: slice, places: Sequence[Place]) -> Li
         _sum_smeared(power, bandwidth, half_width, rest, rate=run.rate, frequency=frequency, lines=smeared,
                      smearing=smearing)  # fmt: skip
     return LinePowers(power, bandwidth, half_width, np.maximum(leakage, half_width), residual)
+
+
+def _continued(rest: Floats, lost: NDArray[np.bool_]) -> Floats:
+    """Return what a regression leaves, with straight lines over the moments without a signal.
+
+    A line joins the means of as many samples before and after as the moment has: between single samples it would hold
+    their noise for the whole moment, which makes slow noise of fast one.
+    """
+    answer = rest.copy()
+    for start, stop in moments_of(lost):
+        length = stop - start
+        sides = (slice(max(start - length, 0), start), slice(stop, stop + length))
+        ends = [rest[own][~lost[own]] for own in sides]
+        means = [float(values.mean()) for values in ends if values.size] or [0.0]
+        answer[start:stop] = np.linspace(means[0], means[-1], length)
+    return answer
 
 
 def _leakage(rest: Floats, power: Floats, frequency: Floats, *, rate: float, left: float) -> Floats:
