@@ -145,9 +145,14 @@ def prepared(
     rig = faults.added_to(rig)
     progress("estimating the angle of the motor")
 
+    point = scenario.operating_point
+
     def measured(of: Rig) -> tuple[tuple[MeasuredRun, ...], bool]:
         made = measured_runs(faults.recordings, of)
-        shown = [replace(run, lost=lost) for run, lost in zip(made, faults.lost, strict=True)]
+        shown = [
+            replace(run, lost=lost, wander=point.slow_speed_wander, wander_cutoff=point.slow_speed_wander_cutoff)
+            for run, lost in zip(made, faults.lost, strict=True)
+        ]
         usable, judged = usable_runs(shown, faults.unusable)
         return with_held_out(usable, held_out), judged
 
@@ -161,7 +166,7 @@ def prepared(
         return Reading(tuple(runs), seen, fitted(of, parameters(scenario, of, runs), seen))
 
     stated = read(rig, runs)
-    within = scenario.operating_point.speed_set_point_error_max or SET_POINT_ERROR
+    within = point.speed_set_point_error_max or SET_POINT_ERROR
     reading = best_reading(stated, rig, read, set_point_error=within) if judged else stated
     known = reading.data.seen[0].places
     samples = faults.without_scaled_codes(each.estimated for each in reading.faults if each.kind == "sensor_scale")

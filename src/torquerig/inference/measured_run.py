@@ -15,7 +15,7 @@ from torquerig.inference.blocks import Block, blocks_of
 from torquerig.inference.tacho_direction import directed
 from torquerig.orders.angle.measured_angle import measured_motor_angle
 from torquerig.recordings.recording import Recording
-from torquerig.recordings.run import Run
+from torquerig.recordings.run import WANDER_CUTOFF, Run
 from torquerig.recordings.set_point import set_point_profile
 from torquerig.recordings.tacho_edges import rising_edges
 from torquerig.rig.assembly import Rig
@@ -56,6 +56,8 @@ class MeasuredRun:
         Density of the error of the angle up to there [rad^2/Hz].
     lost : ndarray of bool, shape (samples,), optional
         Which samples hold no signal; None where all do.
+    wander, wander_cutoff : float
+        Relative rms of the slow wander of a steady speed [1] and its bandwidth [Hz], as the scenario states them.
     """
 
     recording: Recording
@@ -69,6 +71,8 @@ class MeasuredRun:
     followed: float = float("inf")
     angle_noise: float = 0.0
     lost: NDArray[np.bool_] | None = None
+    wander: float = 0.0
+    wander_cutoff: float = WANDER_CUTOFF
 
     @property
     def name(self) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,6 +17,7 @@ from torquerig.inference.prediction.reading_courses import Courses, course_densi
 from torquerig.inference.prediction.ringing import ringing_density
 from torquerig.inference.prediction.slow_lines import covariance_of_lines
 from torquerig.inference.prediction.slow_torque import covariance
+from torquerig.inference.prediction.speed_torque import profile_density, wander_at, wander_between
 from torquerig.rig.assembly import Rig
 from torquerig.sensor_stages.drift import Drift
 from torquerig.sensor_stages.scale_and_zero import ScaleAndZero
@@ -39,7 +41,7 @@ class ExpectedRun:
     density : ndarray, shape (segments, bands)
         Mean one-sided density without the lines that have a place [(N m)^2/Hz].
     load_share : ndarray, shape (segments, bands)
-        Share of it that random loads make [1].
+        Share of it that random loads and changes of the speed make [1].
     level : ndarray, shape (levels,)
         [N m]
     level_covariance : ndarray, shape (levels, levels)
@@ -89,7 +91,7 @@ def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
     lines = line_features(twin, seen)
     balance = level_balance(twin, seen)
     slow = np.maximum(seen.level_grid, seen.level_grid[_SLOWEST])
-    slow_load = seen.kept.get("slow", load_key(twin), lambda: covariance(seen, twin.load_power(slow)))
+    slow_load = seen.kept.get("slow", load_key(twin), lambda: covariance(seen, _slow_power(twin, seen, slow)))
     spread = slow_load
     for each in lines.unshown:
         spread = spread + covariance_of_lines(seen, each)
@@ -138,7 +140,24 @@ def _range_about_line(values: Floats) -> Floats:
     return np.asarray(rest.max(axis=1) - rest.min(axis=1))
 
 
+def _slow_power(twin: Twin, seen: RunFeatures, frequency: Floats) -> Floats:
+    """Return the density that random loads and a wandering speed make [(N m)^2/Hz]."""
+    return twin.load_power(frequency) + wander_at(twin, seen, frequency)
+
+
+def _moved(twin: Twin, seen: RunFeatures, density: Callable[[Twin, RunFeatures], Floats]) -> Floats:
+    """Return what changes of the speed make in each band [(N m)^2/Hz]."""
+    key = (density.__name__, twin.shafts, twin.cutoff, twin.scale, *twin.drives)
+    return seen.kept.get("moved", key, lambda: density(twin, seen))
+
+
 def _load(twin: Twin, rig: Rig, seen: RunFeatures) -> Floats:
+    """Return the density that random loads and changes of the speed make [(N m)^2/Hz], shape (segments, bands)."""
+    moved = _moved(twin, seen, wander_between) + _moved(twin, seen, profile_density)
+    return np.asarray(_random_load(twin, rig, seen) + moved)
+
+
+def _random_load(twin: Twin, rig: Rig, seen: RunFeatures) -> Floats:
     """Return the density that random loads make in each segment [(N m)^2/Hz], shape (segments, bands).
 
     A load whose process depends on the set-point is taken at the speed of the segment.
