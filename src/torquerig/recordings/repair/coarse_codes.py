@@ -14,6 +14,7 @@ from torquerig.recordings.repair.examination import Examination
 from torquerig.recordings.repair.faults import amount, fault_in_time
 
 _COARSER = 1.7  # a lattice must be so many converter steps wide
+_FEW = 6  # distinct values, of which none can be spared
 _LATTICE_SCORE = 0.5  # share of the samples' phase that must agree with the lattice [1]
 
 
@@ -48,10 +49,12 @@ def coarse_codes(recordings: Sequence[Recording], *, converter_step: float) -> C
     """Return the lattice that all samples stand on where it is coarser than the converter's, else None.
 
     The distances of neighbouring values that occur give the candidates; the mean of ``exp(2 pi i V / step)`` over the
-    samples is 1 on a lattice and near 0 off it (the characteristic function, Widrow & Kollar).
+    samples is 1 on a lattice and near 0 off it (the characteristic function, Widrow & Kollar). The largest and the
+    smallest value do not count: a limit at which readings stop is on no code.
     """
     values = np.concatenate([recording.torque_values()[::3] for recording in recordings])
     distinct = np.unique(np.round(values / (0.25 * converter_step)).astype(np.int64)) * 0.25 * converter_step
+    distinct = distinct[1:-1] if distinct.size > _FEW else distinct
     gaps = np.diff(distinct)
     wide = gaps[gaps > _COARSER * converter_step]
     if wide.size < 3 or wide.size < 0.2 * gaps.size:
@@ -62,6 +65,10 @@ def coarse_codes(recordings: Sequence[Recording], *, converter_step: float) -> C
     coarse = float(trials[int(np.argmax(score))])
     fine = coarse * (1 + np.linspace(-3e-4, 3e-4, 121))
     step = float(fine[int(np.argmax([_on_lattice(distinct, trial) for trial in fine]))])
+    own = np.unique(values[np.abs(values / step - np.round(values / step)) * step < converter_step])
+    multiple = np.round(own / step)
+    if multiple.any():  # the candidates' values were rounded to a quarter of the converter's step
+        step = float(own @ multiple / (multiple @ multiple))
     reached = _on_lattice(distinct, step)
     return Codes(step, reached) if reached > _LATTICE_SCORE else None
 
