@@ -143,9 +143,8 @@ def prepared(
     progress("looking for faults of the samples")
     faults = sample_faults(recordings, rig)
     rig = faults.added_to(rig)
-    progress("estimating the angle of the motor")
-
     point = scenario.operating_point
+    progress("estimating the angle of the motor")
 
     def measured(of: Rig) -> tuple[tuple[MeasuredRun, ...], bool]:
         made = measured_runs(faults.recordings, of)
