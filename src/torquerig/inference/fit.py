@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnosis.fitting.knobs import Knob, turned
+from torquerig.diagnosis.side_by_side import of_each
 from torquerig.errors import TorquerigError
 from torquerig.inference.discrepancy import estimated, is_near, log_prior
 from torquerig.inference.features.run_features import RunFeatures
@@ -28,6 +29,7 @@ _SMALL_GAIN = 0.02  # [nats] a smaller one ends the search
 _ITERATIONS = 25
 _FALLEN_SHORT = 0.25  # share of the promised gain below which a step was too long
 _ESTIMATES = 2  # of the sizes of the discrepancy, each followed by a fit
+_MANY = 12  # parameters whose derivatives take longer than a second process to start
 _BAD = -1e12  # [nats] of a rig that cannot be
 
 
@@ -239,20 +241,24 @@ def _slopes(
     sd = np.concatenate([each.sd for each in base])
     slopes = np.full((value.size, here.size + gains.size), np.nan) if kept is None else kept.copy()
     made = dict[bytes, list[ExpectedRun] | None]()
-    for column in np.flatnonzero(~np.isfinite(slopes).all(axis=0)).tolist():
-        slopes[:, column] = 0.0
+
+    def moved(column: int) -> Floats:
+        """Return the residuals with one number moved; what the model expects there is kept, but not of a child."""
         position = np.concatenate([here, gains])
         position[column] += _STEP
         if column >= here.size:
             own = zip(at.data.seen, at.data.shapes, expected, base, strict=True)
-            louder, moved = position[here.size :], column - here.size
-            after = [values_with_moved_gain(*each, gains=louder, off=at.off, moved=moved) for each in own]
-        else:
-            key = position[: here.size].tobytes()
-            made[key] = at.made[key] if key in at.made else at.expected(position[: here.size])
-            there = made[key]
-            after = [each.value for each in all_residuals(at.data, there or expected, gains, at.off)]
-        slopes[:, column] = (np.concatenate(after) - value) / (sd * _STEP)
+            louder, gain = position[here.size :], column - here.size
+            return np.concatenate([values_with_moved_gain(*each, gains=louder, off=at.off, moved=gain) for each in own])
+        key = position[: here.size].tobytes()
+        there = made[key] = at.made[key] if key in at.made else at.expected(position[: here.size])
+        return np.concatenate([each.value for each in all_residuals(at.data, there or expected, gains, at.off)])
+
+    columns = np.flatnonzero(~np.isfinite(slopes).all(axis=0)).tolist()
+    many = sum(column < here.size for column in columns) >= _MANY
+    values = of_each(moved, columns) if many else [moved(column) for column in columns]
+    for column, after in zip(columns, values, strict=True):
+        slopes[:, column] = (after - value) / (sd * _STEP)
     at.made.clear()
     at.made.update(made)
     return slopes

@@ -1,0 +1,40 @@
+"""A fit gives the same numbers however its derivatives are computed."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.inference.drawn_runs import drawn_run, ramp, steady
+from tests.inference.pump_bench import pump_scenario
+from torquerig.diagnosis.fitting.knobs import with_free_load
+from torquerig.diagnosis.looking.places import order
+from torquerig.diagnosis.side_by_side import side_by_side
+from torquerig.inference.features.run_features import run_features
+from torquerig.inference.fit import Data, fitted
+from torquerig.inference.parameters import parameters
+
+
+@pytest.fixture
+def case(tmp_path):
+    scenario = pump_scenario(tmp_path)
+    rig = with_free_load(scenario.rig)
+    runs = [drawn_run(1, speed=steady(1000), orders={1.0: 0.3}), drawn_run(2, speed=ramp(1200), orders={1.0: 0.3})]
+    return rig, parameters(scenario, rig, runs), Data.of([run_features(run, [order(1.0)]) for run in runs])
+
+
+def test_two_processes_find_the_numbers_of_one(case):
+    alone = fitted(*case, iterations=2)
+    with side_by_side(2):
+        shared = fitted(*case, iterations=2)
+    assert len(alone.knobs) >= 12  # fewer are not worth a second process
+    assert shared.log_evidence == alone.log_evidence
+    assert np.array_equal(shared.positions, alone.positions)
+    assert np.array_equal(shared.jacobian, alone.jacobian)
+
+
+def test_kept_answers_do_not_change_a_fit(case):
+    first = fitted(*case, iterations=2)
+    again = fitted(*case, iterations=2)
+    assert again.log_evidence == first.log_evidence
+    assert np.array_equal(again.jacobian, first.jacobian)
