@@ -9,14 +9,14 @@ from dataclasses import dataclass
 
 _CODE = (
     "import resource, sys; from torquerig.cli import main; main(sys.argv[1:]); "
-    "used = resource.getrusage(resource.RUSAGE_SELF); "
-    "print(used.ru_utime + used.ru_stime, used.ru_maxrss, file=sys.stderr)"
+    "used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]; "
+    "print(sum(each.ru_utime + each.ru_stime for each in used), max(each.ru_maxrss for each in used), file=sys.stderr)"
 )
 
 
 @dataclass(frozen=True)
 class Cost:
-    """Seconds on the clock, seconds of processor, peak memory [MB], and what was printed."""
+    """Seconds on the clock, of processor with all workers, peak memory of the largest process [MB], and the text."""
 
     seconds: float
     processor: float
