@@ -86,3 +86,15 @@ def test_residuals_with_a_common_factor_become_independent():
     # the determinant of the covariance of a segment is in the standard deviations
     square = np.square(0.4 / sd[:30]).sum()
     assert np.log(made[0][1][:30] / sd[:30]).sum() == pytest.approx(0.5 * np.log1p(square))
+
+
+@pytest.mark.parametrize("follows", [True, False], ids=["orders", "tones"])
+def test_lines_leave_together_what_each_leaves_alone(follows):
+    seen = run_features(drawn_run(1, speed=ramp(1000)), [])
+    at = np.array([0.1, 0.3, 0.1, 500.0])  # two of one order, and one that no mean shows
+    square = np.random.default_rng(2).uniform(0.1, 1.0, (at.size, len(seen.segments)))
+    square[0, 0] = 0.0
+    each = [covariance_of_lines(seen, UnshownLines(at[[row]], square[[row]], follows)) for row in range(at.size)]
+    found = covariance_of_lines(seen, UnshownLines(at, square, follows))
+    assert np.abs(found).max() > 0.01
+    assert found == pytest.approx(np.sum(each, axis=0), rel=1e-12, abs=1e-15)

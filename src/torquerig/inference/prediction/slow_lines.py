@@ -22,6 +22,7 @@ Floats = NDArray[np.float64]
 
 _POINTS = 48  # of a part
 _MOST_PERIODS = 6.0  # in a part: the mean of a faster line is below 3 % of its amplitude
+_DIGITS = 9  # of an order or a frequency: lines that differ later are of one
 _NOTHING = 1e-4  # [1] of the mean square of a line: a smaller share moves no mean
 
 
@@ -46,22 +47,36 @@ class UnshownLines:
 
 def covariance_of_lines(seen: RunFeatures, lines: UnshownLines) -> Floats:
     """Return the covariance that lines leave in the levels of a run [(N m)^2], shape (levels, levels)."""
-    rows, shared = seen.kept.get("slow lines", (lines.follows, lines.at.tobytes()), lambda: _shared(seen, lines))
-    size = np.sqrt(2 * lines.square[rows][:, seen.level_segment])
-    return np.asarray((size[:, :, None] * shared * size[:, None, :]).sum(axis=0))
+    rows, which, shared = seen.kept.get("slow lines", (lines.follows, lines.at.tobytes()), lambda: _shared(seen, lines))
+    segment, count = seen.level_segment, len(seen.segments)
+    size = np.sqrt(2 * lines.square[rows])
+    together = np.zeros((len(shared), count, count))  # of all lines of one order, between two segments
+    np.add.at(together, which, size[:, :, None] * size[:, None, :])
+    at = segment[:, None] * count + segment[None]
+    total = np.zeros(at.shape)
+    for own, each in zip(together.reshape(len(shared), count * count), shared, strict=True):
+        total += each * own[at]
+    return total
 
 
-def _shared(seen: RunFeatures, lines: UnshownLines) -> tuple[NDArray[np.intp], Floats]:
-    """Return the lines that move a mean, and their covariance at the amplitude 1, shape (lines, levels, levels)."""
+def _shared(seen: RunFeatures, lines: UnshownLines) -> tuple[NDArray[np.intp], NDArray[np.intp], Floats]:
+    """Return the lines that move a mean, which covariance is that of each, and these at the amplitude 1.
+
+    Lines of one order share their covariance, shape (orders, levels, levels).
+    """
     phase, uncertain = _phases(seen, follows=lines.follows)
-    turned = lines.at[:, None] * np.ptp(phase, axis=1) / (2 * pi)
-    slow = (turned < _MOST_PERIODS).any(axis=1)
-    mean = np.exp(1j * lines.at[slow, None, None] * phase).mean(axis=2)
+    orders, which = np.unique(np.round(lines.at, _DIGITS), return_inverse=True)
+    turned = orders[:, None] * np.ptp(phase, axis=1) / (2 * pi)
+    slow = np.flatnonzero((turned < _MOST_PERIODS).any(axis=1))
+    mean = np.exp(1j * orders[slow, None, None] * phase).mean(axis=2)
     mean[turned[slow] >= _MOST_PERIODS] = 0.0
-    known = np.exp(-0.5 * np.square(lines.at[slow, None, None] * uncertain))
+    known = np.exp(-0.5 * np.square(orders[slow, None, None] * uncertain))
     shared = 0.5 * (mean[:, :, None] * mean.conj()[:, None, :]).real * known
     moves = np.einsum("lii->li", shared).max(axis=1, initial=0.0) > _NOTHING
-    return np.flatnonzero(slow)[moves], np.asarray(shared[moves])
+    row = np.full(orders.size, -1)
+    row[slow[moves]] = np.arange(int(moves.sum()))
+    moving = np.flatnonzero(row[which] >= 0)
+    return moving, row[which][moving], np.asarray(shared[moves])
 
 
 def _phases(seen: RunFeatures, *, follows: bool) -> tuple[Floats, Floats]:
