@@ -14,7 +14,8 @@ from torquerig.inference.search import FITTED, competes, most_promising, wins
 from torquerig.inference.undecided_lines import column_of, in_both_domains
 
 LINE = FoundLine(order(3.0), -60.0, -50.0)
-SPEEDS = {"one": [steady(1000), steady(1000)], "two": [steady(1000), steady(1100)], "ramp": [ramp(1000)]}
+SPEEDS = {"one": [steady(1000), steady(1000)], "two": [steady(1000), steady(1100)], "ramp": [ramp(1000)],
+          "both": [steady(1000), ramp(1000)]}  # fmt: skip
 
 
 @pytest.mark.parametrize("speeds", SPEEDS)

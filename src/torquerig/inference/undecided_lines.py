@@ -24,8 +24,9 @@ def in_both_domains(lines: Sequence[FoundLine], seen: Sequence[RunFeatures]) -> 
 
 def _in_other_domain(line: FoundLine, seen: Sequence[RunFeatures]) -> Iterator[FoundLine]:
     turning = line.place.domain == "order"
-    speed = np.abs(np.concatenate([each.speeds for each in seen if each.segments])) / (2 * pi)
-    duration = np.concatenate([each.durations for each in seen if each.segments])[:, None]
+    own = [each for each in seen if each.segments]  # a segment of a changing speed has several speeds
+    speed = np.abs(np.concatenate([each.speeds.ravel() for each in own] or [np.zeros(0)])) / (2 * pi)
+    duration = np.concatenate([np.repeat(each.durations, each.speeds.shape[1]) for each in own] or [np.zeros(0)])
     if not speed.size or not speed.all():
         return
     at = line.place.at * speed if turning else line.place.at / speed
