@@ -1,4 +1,4 @@
-"""``torquerig diagnose --engine likelihood``: what it refuses, and its answer in words."""
+"""``torquerig diagnose --engine likelihood``: the answer in words, of features or along a measured motion."""
 
 from __future__ import annotations
 
@@ -8,43 +8,48 @@ from pathlib import Path
 from typing import Any
 
 from torquerig.cli.diagnose_parts.diagnosed import Diagnosed
-from torquerig.diagnosis.motion.moved import under_measured_motion
-from torquerig.errors import InputError
 from torquerig.inference.answer import as_json
 from torquerig.inference.engine import Outcome, diagnose
+from torquerig.inference.motion.answer import as_json as motion_json
+from torquerig.inference.motion.engine import MotionOutcome, diagnose_motion
+from torquerig.inference.motion.imposed_run import imposed_part
 from torquerig.recordings.recording import Recording
 from torquerig.reporting.diagnosis.answer_text import answer_lines
 from torquerig.reporting.diagnosis.likelihood.sentences import remarks_of, verdict_of
+from torquerig.reporting.diagnosis.sentences import MOTION_RESIDUAL
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.recorded.compared_channel import as_measured
-
-
-def refuse_measured_motion(scenario: Scenario) -> None:
-    """Raise InputError for a rig whose motion was measured, which this engine does not compare yet."""
-    if under_measured_motion(scenario.rig):
-        raise InputError("--engine likelihood does not compare rigs whose motion was measured yet; leave --engine out")
 
 
 def diagnosed_by_likelihood(
     scenario: Scenario, recordings: Sequence[Recording], *, held_out: Sequence[Path], seed: int,
     progress: Callable[[str], None],
 ) -> Diagnosed:  # fmt: skip
-    """Return the diagnosis by the second engine.
-
-    ``held_out`` holds recordings that are not fitted.
-
-    Raises
-    ------
-    InputError
-        For a rig whose motion was measured, which this engine does not compare yet.
-    """
-    refuse_measured_motion(scenario)
+    """Return the diagnosis by the second engine; ``held_out`` holds recordings that are not fitted."""
     names = [one.name for one in held_out]
+    if imposed_part(scenario.rig) is not None:
+        moved = diagnose_motion(scenario, recordings, held_out_runs=names, progress=progress)
+        return Diagnosed(
+            data=motion_json(moved), completed=moved.completed if moved.completes else None, lines=_motion_lines,
+            page=partial(_motion_page, outcome=moved, title=scenario.title, seed=seed),
+        )  # fmt: skip
     outcome = diagnose(scenario, as_measured(recordings, scenario.rig), held_out=names, progress=progress)
     return Diagnosed(
         data=as_json(outcome), completed=outcome.completed if outcome.completes else None, lines=_lines,
         page=partial(_page, outcome=outcome, title=scenario.title, seed=seed),
     )  # fmt: skip
+
+
+def _motion_lines(data: Mapping[str, Any]) -> list[str]:
+    return answer_lines(data, verdict=verdict_of(data, measure=MOTION_RESIDUAL), remarks=remarks_of(data))
+
+
+def _motion_page(
+    data: Mapping[str, Any], *, outcome: MotionOutcome, title: str, command: str, model: str | None, seed: int
+) -> str:  # fmt: skip
+    from torquerig.reporting.diagnosis.likelihood.motion_page import motion_page
+
+    return motion_page(outcome, data, title=title, command=command, model=model, seed=seed)
 
 
 def _lines(data: Mapping[str, Any]) -> list[str]:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from torquerig.cli.diagnose_parts.by_likelihood import refuse_measured_motion
 from torquerig.cli.progress import stages
 from torquerig.inference.engine import Prepared, prepared
 from torquerig.inference.isolability.beforehand import Beforehand, beforehand
+from torquerig.inference.motion.imposed_run import imposed_part
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.recording import Recording
 from torquerig.reporting.diagnosis.sentences import mechanism_text
@@ -30,7 +30,8 @@ def checked_by_likelihood(
     InputError, RecordingError
         As a diagnosis.
     """
-    refuse_measured_motion(scenario)
+    if imposed_part(scenario.rig) is not None:
+        return DiagnoseCheckResult(tuple(lines))
     names = [one.name for one in held_out]
     with stages("diagnose --check") as progress:
         ready = prepared(scenario, as_measured(recordings, scenario.rig), held_out=names, progress=progress)

@@ -104,17 +104,20 @@ def _by_rules(
 def _by_likelihood(
     scenario: Scenario, recordings: Sequence[Recording], question: DiagnosisQuestion, staged: Callable[[str], None]
 ) -> DiagnosisShown:
-    from torquerig.diagnosis.motion.moved import under_measured_motion
     from torquerig.inference.answer import as_json
     from torquerig.inference.engine import diagnose
+    from torquerig.inference.motion.imposed_run import imposed_part
     from torquerig.reporting.diagnosis.answer_text import answer_lines
     from torquerig.reporting.diagnosis.likelihood.first_screen import first_screen
     from torquerig.reporting.diagnosis.likelihood.page import likelihood_page
     from torquerig.reporting.diagnosis.likelihood.sentences import remarks_of, verdict_of
     from torquerig.scenario.recorded.compared_channel import as_measured
 
-    if under_measured_motion(scenario.rig):
-        raise InputError("the engine likelihood does not compare rigs whose motion was measured yet; choose rules")
+    if imposed_part(scenario.rig) is not None:
+        raise InputError(
+            "the studio does not compare rigs whose motion was measured by the engine likelihood yet; choose rules, or "
+            "use torquerig diagnose --engine likelihood"
+        )
     outcome = diagnose(scenario, as_measured(recordings, scenario.rig), progress=staged)
     data = as_json(outcome)
     staged("simulating with and without each effect")

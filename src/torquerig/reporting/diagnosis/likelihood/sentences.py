@@ -6,27 +6,31 @@ from collections.abc import Mapping
 from typing import Any
 
 from torquerig.diagnosis.outcome import Mismatch
-from torquerig.reporting.diagnosis.sentences import FEATURE_RESIDUAL, fact_text, mechanism_text, place_text
+from torquerig.reporting.diagnosis.sentences import (
+    FEATURE_RESIDUAL,
+    ResidualMeasure,
+    fact_text,
+    mechanism_text,
+    place_text,
+)
 from torquerig.reporting.layout import plain
 
 
-def verdict_of(data: Mapping[str, Any]) -> str:
+def verdict_of(data: Mapping[str, Any], *, measure: ResidualMeasure = FEATURE_RESIDUAL) -> str:
     """Return the verdict in sentences: what is missing, and how the residual on held-out data changed."""
     fit = data["fit"]
-    before, after = (FEATURE_RESIDUAL.formatted(fit[side]["heldout_misfit"]) for side in ("before", "after"))
-    name, verdict = FEATURE_RESIDUAL.name, data["verdict"]
+    before, after = (measure.formatted(fit[side]["heldout_misfit"]) for side in ("before", "after"))
+    name, verdict, of, least = measure.name, data["verdict"], measure.of, measure.true_model
     if verdict == "adequate":
-        return f"No physics is missing that these recordings can show. The {name} is {after}. A true model has about 1."
-    change = f"stays at {after}" if before == after else f"changes from {before} to {after}"
+        return f"No physics is missing that these recordings can show. The {name} is {after}{of}.{least}"
+    change = f"{f'stays at {after}' if before == after else f'changes from {before} to {after}'}{of}"
     if verdict == "setup_error":
         wrong = " and ".join(fact_text(one) for one in data["setup"])
-        return (
-            f"A fact of the set-up is wrong: {wrong}. With it corrected, the {name} {change}. A true model has about 1."
-        )
+        return f"A fact of the set-up is wrong: {wrong}. With it corrected, the {name} {change}.{least}"
     named = " and ".join(_named(one) for one in data["findings"])
     lacks = f"The model lacks {named}. " if named else ""
     if verdict == "missing_physics":
-        return f"{lacks}With what was found, the {name} {change}. A true model has about 1."
+        return f"{lacks}With what was found, the {name} {change}.{least}"
     more = "Something more" if named else "Something"
     return f"{lacks}{more} is missing that no mechanism of the library explains.{_place(data)} The {name} {change}."
 

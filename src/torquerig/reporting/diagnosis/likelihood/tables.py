@@ -172,7 +172,11 @@ def _interval(each: Mapping[str, Any]) -> str:
 
 
 def _axis(axis: str) -> str:
-    return axis if axis in ("Hz", "s", "rpm", "m") else f"1/rev of {axis.replace('_', ' ')}"
+    return (
+        axis
+        if axis in ("Hz", "s", "rpm", "m", "cycles/m", "position", "speed", "time")
+        else f"1/rev of {axis.replace('_', ' ')}"
+    )
 
 
 def _unit(unit: str) -> str:

@@ -1,0 +1,21 @@
+"""What may complete a rig under measured motion.
+
+friction      dry friction of the imposed or the last part        gap       play in a gear or link
+cogging       orders of slots and magnets                         plain     drag, drift, mains, a further inertia
+waves         nameless lines over angle, place or time            smooth    nameless functions of place, speed, time
+zeros         the zero of an incremental scale in each run
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from torquerig.inference.motion.fit import Fit
+from torquerig.inference.motion.hypotheses import cogging, friction, gap, plain, smooth, waves, zeros
+from torquerig.inference.motion.hypothesis import Hypothesis
+
+
+def proposals(fit: Fit) -> Iterator[Hypothesis]:
+    """Yield all hypotheses for a fitted model."""
+    for family in (friction, gap, cogging, plain, waves, smooth, zeros):
+        yield from family.propose(fit)
