@@ -42,6 +42,11 @@ class HeldOut:
     residuals: PerRun
     rows: tuple[int, ...]
 
+    @property
+    def square(self) -> float:
+        """Sum of the squared residuals [(N m)^2] or [N^2]."""
+        return sum(float((self.residuals[row] ** 2).sum()) for row in self.rows)
+
 
 def held_out(fit: Fit) -> HeldOut | None:
     """Return the judgement of a fit by its held-out frames; None where its rig cannot be simulated there."""

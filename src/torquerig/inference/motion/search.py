@@ -22,6 +22,7 @@ MOST_ADDITIONS = 10
 FITTED = 3  # of the proposals of one round that are fitted until they converge
 STEPS = 8  # of a proposal with simulated parameters in each stage, before it is compared
 LEAST_GAIN, LEAST_HELD_OUT = 8.0, 3.0  # [nats] of a mechanism, as of torquerig.inference.search
+WORSE = 1.02  # of the mean square of held-out residuals, 1 % of their rms: more is no improvement in N m
 LEAST_OTHER, LEAST_HELD_OUT_OTHER = 3.0, 1.0  # [nats] of an effect without a name
 
 
@@ -114,7 +115,11 @@ def _for(fit: Fit, each: Hypothesis) -> Fit:
 
 
 def _accepted(fit: Fit, tried: Sequence[Tried]) -> Step | None:
-    """Return the addition of the largest evidence of all frames that passes, fitted fully; None where none does."""
+    """Return the addition of the largest evidence of all frames that passes, fitted fully; None where none does.
+
+    Held-out frames must become more likely, and their rms residual must not grow: a density that falls at many high
+    frequencies can pay for a worse level at a few low ones.
+    """
     ranked = sorted(tried, key=lambda one: -one.log_odds)
     passing = [one for one in ranked if one.log_odds - fit.log_odds >= _least(one.hypothesis)[0]][:FITTED]
     before = held_out(fit)
@@ -123,9 +128,10 @@ def _accepted(fit: Fit, tried: Sequence[Tried]) -> Step | None:
     full = [
         Tried(one.hypothesis, (fitted(one.fit.model, fit.runs, after=one.fit) or one.fit)) for one in passing
     ]  # fmt: skip
-    judged = [(one, after.log_density) for one in full if (after := held_out(one.fit)) is not None]
-    for one, density in sorted(judged, key=lambda pair: -pair[0].log_odds - pair[1]):
-        if density - before.log_density >= _least(one.hypothesis)[1]:
+    judged = [(one, after) for one in full if (after := held_out(one.fit)) is not None]
+    for one, after in sorted(judged, key=lambda pair: -pair[0].log_odds - pair[1].log_density):
+        gained = after.log_density - before.log_density
+        if gained >= _least(one.hypothesis)[1] and after.square <= WORSE * before.square:
             return Step(one, one.log_odds - fit.log_odds, ())
     return None
 
