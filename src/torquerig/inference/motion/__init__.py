@@ -6,7 +6,8 @@ imposed_run, lapped      a recording with its motion; its signals in frames and 
 needed_effort            the effort of a rig along the motion, by the simulator
 density                  the smooth density of coloured residuals (Whittle), estimated with the model
 hypothesis, hypotheses/  what may be added: mechanisms, and effects without a name
-fit, held_out            posterior maximum with Laplace's evidence; the density of data that no fit has seen
+fit, fitted_model        posterior maximum with Laplace's evidence
+held_out                 the density of data that no fit has seen
 search, engine           the additions of the largest posterior odds; all of it in order
 sizes, parameters_found, answer    in the form of the contract
 """

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.fitting.knobs import Knob, nuisance_knobs
 from torquerig.errors import InputError
-from torquerig.inference.motion.fit import Fit, fitted
+from torquerig.inference.motion.fit import fitted
+from torquerig.inference.motion.fitted_model import Fit
 from torquerig.inference.motion.held_out import HeldOut, held_out
 from torquerig.inference.motion.hypothesis import Model
 from torquerig.inference.motion.imposed_run import ImposedRun, imposed_part, imposed_runs

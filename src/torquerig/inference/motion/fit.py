@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.fitting.knobs import turned
 from torquerig.inference.motion.density import densities, fitted_density, log_density, shape_of, weights
+from torquerig.inference.motion.fitted_model import Fit, PerRun, effort_scale, simulated
 from torquerig.inference.motion.hypothesis import Hypothesis, Model, parameter_names
 from torquerig.inference.motion.imposed_run import ImposedRun
-from torquerig.inference.motion.needed_effort import needed_effort
-from torquerig.rig.assembly import Rig
 
 Floats = NDArray[np.float64]
-PerRun = list[Floats]
 
 ZERO_SPREAD = 0.03  # of the rms effort: standard deviation of the zero of the effort's channel
 _MOST = 6.0  # standard deviations of its prior that a parameter may move
@@ -24,77 +20,6 @@ _LONGEST = 1.5  # standard deviations in one step: the derivatives are those of 
 _RELATIVE = 0.02  # change of a number for its derivative [1]
 _OUTER, _INNER = 12, 4
 _CONVERGED = 0.2  # [nats]
-
-
-@dataclass(frozen=True, eq=False)
-class Fit:
-    """A fitted model.
-
-    Parameters
-    ----------
-    model : Model
-    runs : tuple of ImposedRun
-    names : list of str
-        Of the parameters.
-    positions : ndarray, shape (parameters,)
-        In standard deviations of their priors.
-    derivatives : dict of str to list of ndarray
-        Change of the transformed effort of each run per unit of a parameter, each of shape (frames, bins).
-    base : list of ndarray
-        Measured minus simulated in frames and bins, of each run with fitted frames; else zero.
-    residuals : list of ndarray
-        The same minus the linear parameters.
-    density : list of ndarray
-        S of each run, shape (bins,).
-    nodes : ndarray
-        Of the density of the runs with fitted frames.
-    hessian : ndarray, shape (parameters, parameters)
-        Of minus the log posterior.
-    log_posterior, log_evidence : float
-        [nats]
-    """
-
-    model: Model
-    runs: tuple[ImposedRun, ...]
-    names: list[str]
-    positions: Floats
-    derivatives: dict[str, PerRun]
-    base: PerRun
-    residuals: PerRun
-    density: PerRun
-    nodes: Floats
-    hessian: Floats
-    log_posterior: float
-    log_evidence: float
-
-    @property
-    def log_odds(self) -> float:
-        """Log evidence plus prior log-odds [nats]."""
-        return self.log_evidence + self.model.log_odds
-
-    @property
-    def rig(self) -> Rig:
-        """The rig with its parameters at their estimates, without the additions that are linear."""
-        return turned(self.model.rig, self.model.knobs, self.positions[: len(self.model.knobs)])
-
-    @property
-    def moving(self) -> int:
-        """Number of parameters that are simulated; the linear ones follow."""
-        return len(self.model.knobs) + (len(self.runs) if self.model.zeros else 0)
-
-    @property
-    def covariance(self) -> Floats:
-        """Of the positions, shape (parameters, parameters)."""
-        return np.asarray(np.linalg.inv(self.hessian))
-
-    def start(self) -> dict[str, float]:
-        """Return the positions by name."""
-        return dict(zip(self.names, self.positions.tolist(), strict=True))
-
-
-def effort_scale(runs: Sequence[ImposedRun]) -> float:
-    """Return the rms of the measured effort of all runs [N m] or [N]."""
-    return float(np.sqrt(np.mean(np.concatenate([run.effort for run in runs]) ** 2)))
 
 
 def fitted(
@@ -193,20 +118,19 @@ class _Search:
 
     def simulated(self, at: Floats) -> PerRun | None:
         """Return measured minus needed effort in frames and bins; runs without fitted frames are zero."""
-        return _simulated(self.model, self.runs, at, [bool(run.seen.any()) for run in self.runs])
+        return simulated(self.model, self.runs, at, [bool(run.seen.any()) for run in self.runs])
 
     def _derivative(self, row: int) -> PerRun:
         assert self.base is not None
         knobs = self.model.knobs
-        size = 0.05
-        if row < len(knobs) and knobs[row].factor:
-            size = min(0.1, _RELATIVE / knobs[row].spread)
+        factor = row < len(knobs) and knobs[row].factor
+        size = min(0.1, _RELATIVE / knobs[row].spread) if factor else 0.05
         other = self.at.copy()
         other[row] += size
         only = [bool(run.seen.any()) for run in self.runs]
         if row >= len(knobs):
             only = [one and at == row - len(knobs) for at, one in enumerate(only)]
-        changed = _simulated(self.model, self.runs, other, only)
+        changed = simulated(self.model, self.runs, other, only)
         self.fresh.add(self.names[row])
         if changed is None:
             return [np.zeros_like(one) for one in self.base]
@@ -289,9 +213,8 @@ class _Search:
 
     def step(self) -> float | None:
         """Take a step, shortened until the posterior rises; return by how much, None where it does not."""
-        before, nodes, old = self.value(), self.nodes, self.at
         assert self.base is not None
-        base = self.base
+        before, nodes, old, base = self.value(), self.nodes, self.at, self.base
         wanted = self._solved(hold=False)
         change = (wanted - old)[: self.moving]
         change *= min(1.0, _LONGEST / max(float(np.abs(change).max()), 1e-12))
@@ -355,27 +278,6 @@ def without_linear(base: PerRun, names: Sequence[str], sizes: Floats, derivative
     for name, size in zip(names, sizes.tolist(), strict=True):
         for row, change in enumerate(derivatives[name]):
             answer[row] -= size * change
-    return answer
-
-
-def simulated_differences(fit: Fit, rows: Sequence[int], at: Floats | None = None) -> PerRun | None:
-    """Return measured minus simulated effort of some runs in frames and bins, the others zero."""
-    used = [row in rows for row in range(len(fit.runs))]
-    return _simulated(fit.model, fit.runs, fit.positions if at is None else at, used)
-
-
-def _simulated(model: Model, runs: Sequence[ImposedRun], at: Floats, used: Sequence[bool]) -> PerRun | None:
-    knobs = model.knobs
-    rig, answer = turned(model.rig, knobs, at[: len(knobs)]), list[Floats]()
-    for row, (run, wanted) in enumerate(zip(runs, used, strict=True)):
-        if not wanted:
-            answer.append(np.zeros((run.seen.size, run.frequencies.size)))
-            continue
-        zero = model.zeros * float(at[len(knobs) + row]) if model.zeros else 0.0
-        needed = needed_effort(rig, run, zero=zero)
-        if needed is None or not np.isfinite(needed).all():
-            return None
-        answer.append(run.transformed(run.effort - needed))
     return answer
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.inference.motion.density import DEGREES_OF_FREEDOM, log_density, weights
-from torquerig.inference.motion.fit import Fit, PerRun, simulated_differences
+from torquerig.inference.motion.fitted_model import Fit, PerRun, simulated_differences
 
 Floats = NDArray[np.float64]
 

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.inference.motion.fit import Fit, fitted
+from torquerig.inference.motion.fit import fitted
+from torquerig.inference.motion.fitted_model import Fit
 from torquerig.inference.motion.held_out import held_out
 from torquerig.inference.motion.hypotheses import proposals
 from torquerig.inference.motion.hypothesis import Hypothesis

@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from torquerig.inference.motion.engine import MotionOutcome, sizes_of
-from torquerig.inference.motion.fit import PerRun, fitted
+from torquerig.inference.motion.fit import fitted
+from torquerig.inference.motion.fitted_model import PerRun
 from torquerig.inference.motion.held_out import HeldOut
 from torquerig.inference.motion.hypothesis import Hypothesis
 from torquerig.inference.motion.imposed_run import ImposedRun

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from torquerig.inference.motion.fit import Fit
+from torquerig.inference.motion.fitted_model import Fit
 from torquerig.inference.motion.hypotheses import cogging, friction, gap, plain, smooth, waves, zeros
 from torquerig.inference.motion.hypothesis import Hypothesis
 

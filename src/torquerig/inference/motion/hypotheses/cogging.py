@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig import mechanisms
-from torquerig.inference.motion.fit import Fit, effort_scale
+from torquerig.inference.motion.fitted_model import Fit, effort_scale
 from torquerig.inference.motion.hypothesis import MECHANISM, Hypothesis
 from torquerig.inference.motion.imposed_run import BAND, ImposedRun, imposed_part
 from torquerig.rig.assembly import Part

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from torquerig import mechanisms
 from torquerig.diagnosis.fitting.knobs import Knob
-from torquerig.inference.motion.fit import Fit
+from torquerig.inference.motion.fitted_model import Fit
 from torquerig.inference.motion.hypotheses.shown import stroke
 from torquerig.inference.motion.hypothesis import MECHANISM, Hypothesis
 from torquerig.rig.parts import Gear, Link

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from torquerig import mechanisms
 from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.addition import DECADE
-from torquerig.inference.motion.fit import Fit, effort_scale
+from torquerig.inference.motion.fitted_model import Fit, effort_scale
 from torquerig.inference.motion.hypotheses.shown import carrier, top_speed
 from torquerig.inference.motion.hypothesis import Hypothesis
 from torquerig.inference.motion.imposed_run import BAND, ImposedRun

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.inference.motion.density import weights
-from torquerig.inference.motion.fit import Fit
+from torquerig.inference.motion.fitted_model import Fit
 from torquerig.inference.motion.imposed_run import ImposedRun, imposed_part
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Body, Motor, Slide

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.inference.motion.fit import Fit, effort_scale
+from torquerig.inference.motion.fitted_model import Fit, effort_scale
 from torquerig.inference.motion.hypotheses.shown import hats, residual_scale
 from torquerig.inference.motion.hypothesis import ANYWHERE, Hypothesis
 from torquerig.inference.motion.imposed_run import ImposedRun

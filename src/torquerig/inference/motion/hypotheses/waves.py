@@ -9,7 +9,7 @@ from math import log, pi
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.inference.motion.fit import Fit, effort_scale
+from torquerig.inference.motion.fitted_model import Fit, effort_scale
 from torquerig.inference.motion.hypotheses.shown import in_a_line, weighted_signals
 from torquerig.inference.motion.hypothesis import Hypothesis
 from torquerig.inference.motion.imposed_run import BAND, ImposedRun

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from torquerig.inference.motion.fit import Fit
+from torquerig.inference.motion.fitted_model import Fit
 from torquerig.inference.motion.hypotheses.shown import stroke
 from torquerig.inference.motion.hypothesis import MECHANISM, Hypothesis
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.motion.engine import MotionOutcome
-from torquerig.inference.motion.fit import Fit
+from torquerig.inference.motion.fitted_model import Fit
 from torquerig.reporting.diagnosis.likelihood import tables
 from torquerig.reporting.diagnosis.likelihood.motion_figure import motion_figure
 from torquerig.reporting.diagnosis.likelihood.sentences import remarks_of, verdict_of
