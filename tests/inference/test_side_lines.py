@@ -67,3 +67,14 @@ def test_two_lines_of_one_place_have_the_spread_of_open_phases(tmp_path):
     assert expected.line_power[0, 0] / alone.line_power[0, 0] == pytest.approx(power.mean() / one**2)
     assert expected.line_beat[0, 0] == pytest.approx(np.log(power).var(), rel=1e-3)  # the same phase in all blocks
     assert alone.line_beat[0, 0] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_side_lines_do_not_beat_with_their_line(tmp_path):
+    rig, seen = shown(tmp_path, measured=False)
+    alone = run_features(seen.run, [order(12.0)])
+    table = alone.segments[0]
+    wide = replace(
+        table, line_half_width=np.full(1, 20.0)
+    )  # [Hz] as in a short block: orders 11 and 13 are in the place
+    expected = expected_run(rig, replace(alone, segments=(wide,)))
+    assert expected.line_beat[0, 0] < 1e-6

@@ -49,7 +49,7 @@ class LineFeatures:
 def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
     """Return where the lines of a rig show in the features of a run."""
     count, places = len(seen.segments), len(seen.places)
-    power, moved, varied, strongest, aligned, noisy = (np.zeros((count, places)) for _ in range(6))
+    power, moved, varied, strongest, beating, aligned, noisy = (np.zeros((count, places)) for _ in range(7))
     density, unshown = np.zeros((count, seen.bands.low.size)), list[UnshownLines]()
     turning = np.maximum(np.abs(seen.speed) / (2 * pi), 1e-12)
     core, excluded = core_of(seen), seen.line_excluded
@@ -69,10 +69,11 @@ def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
             density += density_of(skirts, seen, each.frequency, np.where(at | inside, 0.5 * each.square, 0.0), hole)
         for total, values in (
             (power, each.square), (moved, each.shifted), (varied, each.square * each.varied),
-            (aligned, each.square * routes.aligned), (noisy, each.square * each.scatter),
+            (beating, each.beats * each.square), (aligned, each.beats * each.square * routes.aligned),
+            (noisy, each.square * each.scatter),
         ):  # fmt: skip
             np.add.at(total, (row[at], routes.place[at]), (share * kept * values)[at])
-        np.maximum.at(strongest, (row[at], routes.place[at]), (share * kept * each.square)[at])
+        np.maximum.at(strongest, (row[at], routes.place[at]), (each.beats * share * kept * each.square)[at])
         without = np.where(inside, 0.5 * kept * each.square, 0.0)
         swept = seen.swept if each.follows else np.ones((count, 2))
         density += _swept_density(seen, each.frequency, without, swept)
@@ -81,7 +82,7 @@ def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
             unshown.append(UnshownLines(orders, np.where(at, 0.0, 0.5 * each.square), each.follows))
     slope = np.log(np.maximum(moved, _NOTHING) / np.maximum(power, _NOTHING)) / SHIFT * (power > 0)
     beat = beat_variance(
-        power, strongest, np.where(aligned - strongest > 0.5 * (power - strongest), 1.0, seen.lines.count)
+        beating, strongest, np.where(aligned - strongest > 0.5 * (beating - strongest), 1.0, seen.lines.count)
     )
     beat = beat + noisy / np.maximum(power, _NOTHING) / np.maximum(seen.lines.count, 1.0)
     return LineFeatures(power, slope, varied / np.maximum(power, _NOTHING), beat, density, tuple(unshown))

@@ -30,7 +30,8 @@ class RigLines(NamedTuple):
     Frequencies [Hz], mean squares of the amplitudes [(N m)^2], the same with all modes at ``1 - SHIFT`` of their
     frequency, standard deviations of the logarithm of the square over the speeds of each segment [1], and whether they
     follow the shaft, that of ``node``. ``scatter`` is the variance of the logarithm of the square in one block [1], of
-    lines that are noise in part, with the half-widths ``half_width`` [Hz].
+    lines that are noise in part, with the half-widths ``half_width`` [Hz]. Lines of a phase modulation
+    do not beat with the line that they belong to: together they have a constant amplitude.
     """
 
     frequency: Floats
@@ -41,6 +42,7 @@ class RigLines(NamedTuple):
     node: str = ""
     scatter: Floats | float = 0.0
     half_width: Floats | float = 0.0
+    beats: bool = True
 
 
 def rig_lines(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
@@ -94,4 +96,4 @@ def _of_shafts(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
     for node in dict.fromkeys(side.nodes):
         own = np.array(side.nodes) == node
         there = side.square[own]
-        yield RigLines(side.frequency[own], there, there, np.zeros(there.shape), True, node)
+        yield RigLines(side.frequency[own], there, there, np.zeros(there.shape), True, node, beats=False)
