@@ -54,6 +54,8 @@ class Addition:
     fixed : mapping of str to (float, float, str)
         Parameters that the hypothesis holds, with half the width of their 95 % interval and their unit: an order, a
         frequency.
+    estimated : mapping of str to (float, float, float, str)
+        Parameters that were estimated before the hypothesis, with the ends of their 95 % interval and their unit.
     """
 
     mechanism: str = ""
@@ -67,6 +69,7 @@ class Addition:
     label: str = ""
     reported: tuple[Reported, ...] = ()
     fixed: Mapping[str, tuple[float, float, str]] = field(default_factory=dict)
+    estimated: Mapping[str, tuple[float, float, float, str]] = field(default_factory=dict)
 
     def added_to(self, rig: Rig) -> Rig:
         """Return the rig with the parts."""

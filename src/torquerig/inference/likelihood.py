@@ -138,7 +138,8 @@ def _lines(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals
     scatter, lower = _of_logarithm(count * total**2 / np.maximum(2 * power * noise + noise**2, _NOTHING))
     modulated = np.log1p(off.modulation**2 * model.near_lines[shown] / total)
     bent = np.hypot(np.hypot(2 * off.line, off.mode * model.line_slope[shown]), _SWEPT * model.line_range[shown])
-    own = (bent**2 + model.line_beat[shown]) * (power / total) ** 2
+    simulated = _shown(model.line_error, shown)
+    own = (bent**2 + model.line_beat[shown] + simulated**2) * (power / total) ** 2
     sd = np.sqrt(scatter + own + modulated**2)
     value = np.log(np.maximum(table.power[shown], _NOTHING) / total) + lower
     return _of(value, sd, LINE, shown)
@@ -150,7 +151,8 @@ def _bands(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals
     slope = np.gradient(density, np.log(seen.bands.middle), axis=1)[shown]
     scatter, lower = _of_logarithm(seen.band_count[shown])
     modulated = np.log1p(off.modulation**2 * model.near_bands[shown] / np.maximum(model.density[shown], _NOTHING))
-    sd = np.sqrt(scatter + off.band**2 + (off.mode * slope) ** 2 + modulated**2)
+    simulated = _shown(model.density_error, shown)
+    sd = np.sqrt(scatter + off.band**2 + (off.mode * slope) ** 2 + modulated**2 + simulated**2)
     value = np.log(np.maximum(seen.band_power[shown], _NOTHING)) - density[shown] + lower
     louder = np.sqrt(model.load_clumping / seen.segment_time)[:, None] * model.load_share
     return _of(*_with_common_factor(value, sd, louder, shown), BAND, shown)
@@ -184,7 +186,7 @@ def _with_common_factor(value: Floats, sd: Floats, common: Floats, shown: NDArra
 def _levels(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals:
     largest = seen.largest_level
     parts = (off.level_floor * largest, off.level * model.level, seen.level_time_error * model.level_rate,
-             _WITHIN * model.level_range)  # fmt: skip
+             _WITHIN * model.level_range, model.level_error)  # fmt: skip
     own = np.zeros(seen.level.size) + sum(np.square(part) for part in parts)
     least = _SINGULAR * largest**2 + _NOTHING
     root = cholesky(model.level_covariance + np.diag(own + least), lower=True)
@@ -192,6 +194,10 @@ def _levels(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residual
     at, none = np.arange(seen.level.size), np.full(seen.level.size, -1)
     sd = np.diag(root) / max(largest, _NOTHING)
     return Residuals(white * sd, sd, np.full(seen.level.size, LEVEL, dtype=np.int8), at, none)
+
+
+def _shown(values: Floats | float, shown: NDArray[np.bool_]) -> Floats:
+    return np.asarray(np.broadcast_to(values, shown.shape)[shown])
 
 
 def _of(value: Floats, sd: Floats, kind: int, shown: NDArray[np.bool_]) -> Residuals:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from math import pi
 
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 from torquerig.diagnosis.looking.observed import speed_of
 from torquerig.diagnosis.looking.shaft_angle import ShaftAngle, shaft_angles
 from torquerig.inference.blocks import Block, blocks_of
+from torquerig.inference.features.kept import Kept
 from torquerig.inference.tacho_direction import directed
 from torquerig.orders.angle.measured_angle import measured_motor_angle
 from torquerig.recordings.recording import Recording
@@ -73,6 +75,11 @@ class MeasuredRun:
     lost: NDArray[np.bool_] | None = None
     wander: float = 0.0
     wander_cutoff: float = WANDER_CUTOFF
+
+    @cached_property
+    def kept(self) -> Kept:
+        """What was simulated for this run."""
+        return Kept()
 
     @property
     def name(self) -> str:

@@ -83,6 +83,8 @@ def _compared(outcome: Outcome, each: Addition) -> str:
 def _parameters(outcome: Outcome, each: Addition) -> Iterator[tuple[str, dict[str, Any]]]:
     for name, (value, half, unit) in each.fixed.items():
         yield name, {"value": digits(value), "ci95": [digits(value - half), digits(value + half)], "unit": unit}
+    for name, (value, low, high, unit) in each.estimated.items():
+        yield name, {"value": digits(value), "ci95": [digits(low), digits(high)], "unit": unit}
     for one in each.reported:
         column = _column(outcome, each, one)
         if column is not None:

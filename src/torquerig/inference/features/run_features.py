@@ -202,11 +202,27 @@ def passed_by_levels(seen: RunFeatures, frequency: Floats) -> NDArray[np.complex
 def run_features(run: MeasuredRun, places: Sequence[Place], *, held_out: bool | None = False) -> RunFeatures:
     """Return the features of the fitted blocks, of the held-out ones (``held_out``), or of all (None)."""
     blocks = [block for block in run.blocks if held_out is None or block.held_out == held_out]
+    return _features(run, places, blocks, _groups(run, blocks, [not _stands_still(run, block) for block in blocks]))
+
+
+def features_like(seen: RunFeatures, run: MeasuredRun) -> RunFeatures:
+    """Return the features of another run of the same length at the places, blocks and segments of ``seen``."""
+    blocks = blocks_like(seen)
+    row = {block.start: at for at, block in enumerate(blocks)}
+    return _features(run, seen.places, blocks, [[row[block.start] for block in one.blocks] for one in seen.segments])
+
+
+def blocks_like(seen: RunFeatures) -> list[Block]:
+    """Return the blocks that features were taken of, those at standstill too."""
+    first, last = seen.parts[::_PARTS_OF_BLOCK, 0], seen.parts[_PARTS_OF_BLOCK - 1 :: _PARTS_OF_BLOCK, 1]
+    return [Block(*edges, held_out=False) for edges in zip(first.tolist(), last.tolist(), strict=True)]
+
+
+def _features(
+    run: MeasuredRun, places: Sequence[Place], blocks: Sequence[Block], groups: Sequence[Sequence[int]]
+) -> RunFeatures:
     found = [line_powers(run, block.samples, places) for block in blocks]
-    turning = [not _stands_still(run, block) for block in blocks]
-    segments = tuple(
-        _segment(run, places, [(blocks[row], found[row]) for row in rows]) for rows in _groups(run, blocks, turning)
-    )
+    segments = tuple(_segment(run, places, [(blocks[row], found[row]) for row in rows]) for rows in groups)
     edges = [np.linspace(block.start, block.stop, _PARTS_OF_BLOCK + 1).astype(int) for block in blocks]
     pairs = [pair for each in edges for pair in pairwise(each.tolist())]
     rest = [lines.residual[low - block.start : high - block.start]

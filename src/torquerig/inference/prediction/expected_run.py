@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.features.run_features import RunFeatures
+from torquerig.inference.prediction.gap_change import gap_change
 from torquerig.inference.prediction.kept_twin import clumping_of, level_balance, load_key, loads_of
 from torquerig.inference.prediction.line_features import line_features
 from torquerig.inference.prediction.measuring_chain import chain_noise, passed_by_logger
@@ -63,6 +64,12 @@ class ExpectedRun:
         part [1].
     load_clumping : float
         Variance of the logarithm of a load's power in a time T, common to all bands, times T [s].
+    line_error : ndarray, shape (segments, places)
+        Standard deviation of the logarithm of ``line_power`` that simulated replicates leave [1].
+    density_error : ndarray, shape (segments, bands)
+        The same of ``density`` [1].
+    level_error : ndarray, shape (levels,)
+        The same of ``level`` [N m].
     """
 
     line_power: Floats
@@ -79,10 +86,25 @@ class ExpectedRun:
     near_bands: Floats
     line_beat: Floats
     load_clumping: float = 0.0
+    line_error: Floats | float = 0.0
+    density_error: Floats | float = 0.0
+    level_error: Floats | float = 0.0
 
 
 def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
-    """Return what the linear twin of ``rig`` expects of the run of ``seen``."""
+    """Return what is expected of the run of ``seen``: by the linear twin, with what simulated gaps change of it."""
+    model = _by_twin(rig, seen)
+    change = gap_change(rig, seen)
+    if change is None:
+        return model
+    return replace(
+        model, line_power=model.line_power * np.exp(change.line), line_error=change.line_error,
+        density=model.density * np.exp(change.band), density_error=change.band_error,
+        level=model.level + change.level, level_error=change.level_error,
+    )  # fmt: skip
+
+
+def _by_twin(rig: Rig, seen: RunFeatures) -> ExpectedRun:
     twin = Twin(rig.at(seen.run.run))
     recorded = passed_by_logger(twin.rig, seen.bands.middle)
     load = recorded * _load(twin, rig, seen)
