@@ -2,6 +2,7 @@
 
 sample_faults           samples at a limit, coarse codes and dropouts: named, mended or left out
 measured_run, blocks    a recording with its angle, cut where the speed changes; tacho_direction: which way it turned
+kept                    what was computed for a run and is required again
 features/               what recordings show: lines, bands, levels; and lines that no model has yet
 prediction/             what a rig is expected to show
 likelihood              how likely features are under a model      load_spectrum   what nobody knows of a load
@@ -9,7 +10,7 @@ discrepancy             how far a right model may be off           model_density
 readings/               other readings of the samples: with a fact of the set-up corrected
 parameters, fit         the nominal rig's numbers, their maximum of the posterior, and the evidence; moved_gain: slopes
 additions/, addition    hypotheses: nameless effects, numbers far off, mechanisms
-context, shafts, tones, one_size    for them; undecided_lines: orders that may be frequencies
+context, shafts, tones, one_size, gap_width    for them; undecided_lines: orders that may be frequencies
 search                  the additions of the largest posterior odds
 adequacy, held_out      whether a model explains the data, and those that no fit has seen
 isolability/            what recordings can show and separate

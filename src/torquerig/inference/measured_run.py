@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from torquerig.diagnosis.looking.observed import speed_of
 from torquerig.diagnosis.looking.shaft_angle import ShaftAngle, shaft_angles
 from torquerig.inference.blocks import Block, blocks_of
-from torquerig.inference.features.kept import Kept
+from torquerig.inference.kept import Kept
 from torquerig.inference.tacho_direction import directed
 from torquerig.orders.angle.measured_angle import measured_motor_angle
 from torquerig.recordings.recording import Recording

@@ -3,8 +3,7 @@
 line_places     which lines a block can show             line_powers     power of the lines of a block
 bands           spectrum without the lines, in bands     run_features    all of it for one run, and mean torques
 side_lines      where a line may have side lines         segment        blocks of a run at one speed
-impacts         envelopes over the angle                kept            answers that a fit asks for again
-rests           how long and how often a torque is near zero
+impacts         envelopes over the angle                rests           how long and how often a torque is near zero
 noise_ratios    power over noise, for                    line_search     lines that no model has, in all runs
 line_skirts     whether a peak is a line or part of something wider
 """

@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.blocks import STANDSTILL, Block, permitted_range
 from torquerig.inference.features.bands import Bands, bands
-from torquerig.inference.features.kept import Kept
 from torquerig.inference.features.line_places import line_frequencies
 from torquerig.inference.features.line_powers import LinePowers, line_powers
 from torquerig.inference.features.segment import LineTable, Segment
 from torquerig.inference.features.side_lines import may_be_beside
+from torquerig.inference.kept import Kept
 from torquerig.inference.measured_run import MeasuredRun
 
 Floats = NDArray[np.float64]
