@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.blocks import STANDSTILL, Block, permitted_range
 from torquerig.inference.features.bands import Bands, bands
+from torquerig.inference.features.level_motion import level_motion
 from torquerig.inference.features.line_places import line_frequencies
 from torquerig.inference.features.line_powers import LinePowers, line_powers
 from torquerig.inference.features.segment import LineTable, Segment
@@ -22,8 +23,6 @@ from torquerig.inference.measured_run import MeasuredRun
 
 Floats = NDArray[np.float64]
 
-POINTS = 9  # moments of a part at which the motion is kept
-_SHORTEST_SLOPE = 8  # samples of a part that has a slope
 SPEEDS = 3  # of a segment whose speed changes
 POINTS_OF_GRID = 400  # of the integral over frequency
 _HIGHEST_IN_LEVEL = 4.0  # [1] times the inverse length of a part: above it the mean of a part passes less than 1 %
@@ -231,29 +230,11 @@ def _features(
     level = np.array([float(values.mean()) for values in rest])
     parts = np.array(pairs, dtype=np.int64)
     parts = parts.reshape(-1, 2)
-    speed, acceleration = _points(run, parts)
+    speed, acceleration = level_motion(run, parts)
     return RunFeatures(
         run=run, places=tuple(places), segments=segments, parts=parts, level=level, level_speed=speed,
         level_acceleration=acceleration,
     )  # fmt: skip
-
-
-def _points(run: MeasuredRun, parts: NDArray[np.int64]) -> tuple[Floats, Floats]:
-    """Return speed [rad/s] and acceleration [rad/s^2] of the motor at some moments of each part, (levels, POINTS).
-
-    The acceleration is the slope over each half of the part by least squares; 0 in a steady run, where it would be the
-    noise of the encoder.
-    """
-    speeds = np.zeros((len(parts), POINTS))
-    slopes = np.zeros((len(parts), POINTS))
-    for row, (low, high) in enumerate(parts.tolist()):
-        speed = run.speed[low:high]
-        speeds[row] = speed[np.linspace(0, speed.size - 1, POINTS).astype(int)]
-        if not run.is_steady and speed.size > _SHORTEST_SLOPE:
-            for half, own in zip(np.array_split(speed, 2), np.array_split(slopes[row], 2), strict=True):
-                time = np.linspace(-0.5, 0.5, half.size)
-                own[:] = float(half @ time) / float(time @ time) * run.rate / half.size
-    return speeds, slopes
 
 
 def _stands_still(run: MeasuredRun, block: Block) -> bool:

@@ -18,7 +18,8 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.linear.quasi_static import OPPOSING, dry_torque
 from torquerig.diagnosis.linear.twin import Twin
-from torquerig.inference.features.run_features import POINTS, RunFeatures
+from torquerig.inference.features.level_motion import POINTS
+from torquerig.inference.features.run_features import RunFeatures
 from torquerig.rig.terms import Inertia
 
 Floats = NDArray[np.float64]
