@@ -10,7 +10,7 @@ import pytest
 from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.fit import Fit
 from torquerig.inference.likelihood import Discrepancy
-from torquerig.inference.one_number import at_stated, without_priors
+from torquerig.inference.one_number import without_priors
 
 KNOBS = tuple(Knob("part", name, 0.1) for name in ("first", "second"))
 SLOPES = np.array([[1.0, 1.0], [1.0, 0.9], [0.2, 0.3], [0.0, 0.4]])
@@ -38,14 +38,6 @@ def test_a_parameter_without_its_prior_is_where_a_fit_without_it_leads(fit, colu
     moved, gains = without_priors(fit)
     assert moved[column] == pytest.approx(posterior(np.full(4, 9.0 / 8.0), prior=prior)[column])
     assert gains[column] >= 0.5 * fit.positions[column] ** 2
-
-
-def test_a_number_that_is_held_moves_those_that_explain_the_same(fit):
-    held = at_stated(fit, 0)
-    assert held.positions[0] == pytest.approx(0.0)
-    weights = np.full(4, 9.0 / 8.0)
-    alone = (SLOPES[:, 1] @ (weights * MEASURED)) / (SLOPES[:, 1] @ (weights * SLOPES[:, 1]) + 1.0)
-    assert held.positions[1] == pytest.approx(alone)
 
 
 def test_of_two_that_explain_the_same_the_stiff_one_gains_most_without_its_prior():

@@ -96,6 +96,6 @@ def test_a_zero_that_jumps_is_located_without_a_name(tmp_path, zero):
     (course,) = data["unnamed"]
     assert course["axis"] == "s"
     assert course["kind"] in ("level_course", "gain_course")  # at one load a gain and a zero are alike
-    assert course["at"] == pytest.approx(0.45 * 6.0, abs=0.05)
+    assert course["at"] == pytest.approx(0.45 * 6.0, abs=0.25)  # a part of a block, whose mean is all that is compared
     before, after = (data["fit"][key]["heldout_misfit"] for key in ("before", "after"))
     assert before - after > 0.7 * (before - 1)

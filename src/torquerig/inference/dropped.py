@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 
-import numpy as np
-
-from torquerig.errors import TorquerigError
+from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.addition import Addition
 from torquerig.inference.features.line_search import FoundLine
-from torquerig.inference.fit import Data, Fit, fitted
+from torquerig.inference.fit import Data
 from torquerig.inference.model import Model
+from torquerig.inference.refitted import refitted
 
 
 def without_needless(
@@ -27,7 +27,10 @@ def without_needless(
     of what was dropped are unexplained again.
     """
     for each in model.additions[:-1]:
-        fit = _refitted(model.fit, data, each) if each.is_named else None
+        if not each.is_named:
+            continue
+        names = frozenset(part.name for part in each.parts)
+        fit = refitted(model.fit, data, keeps=partial(_is_of_others, names), without=names)
         if fit is None:
             continue
         rest = tuple(other for other in model.additions if other is not each)
@@ -41,18 +44,5 @@ def without_needless(
     return model
 
 
-def _refitted(fit: Fit, data: Data, each: Addition) -> Fit | None:
-    """Return the fit without the parts of an addition; None where there cannot be such a rig."""
-    names = {part.name for part in each.parts}
-    kept = [at for at, knob in enumerate(fit.knobs) if knob.part not in names]
-    jacobian = fit.jacobian[:, [*kept, *range(len(fit.knobs), fit.jacobian.shape[1])]]
-    try:
-        rig = fit.rig
-        for name in names:
-            rig = rig.without(name)
-        return fitted(
-            rig, tuple(fit.knobs[at] for at in kept), data, gains=fit.gains, off=fit.off,
-            start=fit.positions[kept], jacobian=np.array(jacobian), nominal=fit.nominal,
-        )  # fmt: skip
-    except (TorquerigError, ValueError, np.linalg.LinAlgError):
-        return None
+def _is_of_others(names: frozenset[str], knob: Knob) -> bool:
+    return knob.part not in names

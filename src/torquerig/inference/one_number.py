@@ -1,13 +1,11 @@
-"""What a single parameter of a fit does to the others: without its prior, or back at its stated value.
+"""Where a single parameter of a fit would be without its prior.
 
 Near the maximum the posterior is ``exp(-1/2 d' H d)``, with H the Hessian and C its inverse. Without the prior of the
 parameter i, whose standard deviation is 1, its maximum moves from x to ``x / (1 - C_ii)``, and the log-likelihood plus
-the other priors gain ``1/2 x^2 / (1 - C_ii)``. Held at 0, it moves the others by ``-C_ji / C_ii x``.
+the other priors gain ``1/2 x^2 / (1 - C_ii)``.
 """
 
 from __future__ import annotations
-
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,11 +25,3 @@ def without_priors(fit: Fit) -> tuple[Floats, Floats]:
     count = len(fit.knobs)
     narrowed = np.maximum(1 - np.diag(fit.covariance())[:count], _DETERMINED)
     return fit.positions / narrowed, 0.5 * np.square(fit.positions) / narrowed
-
-
-def at_stated(fit: Fit, column: int) -> Fit:
-    """Return the fit with one parameter back at its stated value, the others moved by one linear step."""
-    covariance = fit.covariance()
-    moved = -covariance[:, column] / covariance[column, column] * fit.positions[column]
-    count = len(fit.knobs)
-    return replace(fit, positions=fit.positions + moved[:count], gains=fit.gains + moved[count:])

@@ -22,8 +22,9 @@ from torquerig.inference.fit import Data, Fit, all_residuals, fitted, hessian_of
 from torquerig.inference.held_out import held_out_density
 from torquerig.inference.likelihood import log_density_of, weights
 from torquerig.inference.model import Model
-from torquerig.inference.one_number import at_stated, without_priors
+from torquerig.inference.one_number import without_priors
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
+from torquerig.inference.refitted import refitted
 from torquerig.inference.undecided_lines import column_of
 from torquerig.rig.assembly import Rig
 
@@ -71,11 +72,12 @@ def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple
     slack = -log_prior(model.fit.off)  # that an addition gets back when it makes the discrepancy smaller
     fits = _fitted(model, data, [(each, start) for gain, start, each in screened if gain > -slack])
     before = held_out_density(model.fit, held)
+    better = [one for one in fits if one.log_odds - model.log_odds > LEAST_OTHER]
     winners = [
-        one for one in fits
+        one for one in better
         if wins(
             one.additions[-1], odds=one.log_odds - model.log_odds,
-            held_out=held_out_density(one.fit, held) - _compared(model.fit, one.additions[-1], held, before),
+            held_out=held_out_density(one.fit, held) - _compared(model.fit, one.additions[-1], data, held, before),
         )
     ]  # fmt: skip
     if not winners:
@@ -115,16 +117,16 @@ def competes(one: Addition, other: Addition, data: Data) -> bool:
     return not rows or not others or not rows.isdisjoint(others)
 
 
-def _compared(fit: Fit, each: Addition, held: Data, before: float) -> float:
+def _compared(fit: Fit, each: Addition, data: Data, held: Data, before: float) -> float:
     """Return the held-out log-likelihood that an addition must exceed [nats].
 
     That is ``before`` for parts. A number that is far off has moved already, against its prior: it is compared with the
-    stated one, to which all others have followed.
+    stated one, to which all others are fitted anew.
     """
     if each.parts:
         return before
-    (column,) = [at for at, knob in enumerate(fit.knobs) if knob.name in each.names]
-    return held_out_density(at_stated(fit, column), held)
+    stated = refitted(fit, data, keeps=lambda knob: knob.name not in each.names)
+    return before if stated is None else held_out_density(stated, held)
 
 
 def _fitted(model: Model, data: Data, screened: Sequence[tuple[Addition, tuple[float, ...]]]) -> list[Model]:

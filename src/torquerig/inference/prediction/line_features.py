@@ -58,7 +58,7 @@ def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
         row = np.broadcast_to(np.arange(count), each.frequency.shape)
         at, inside = routes.place >= 0, routes.band >= 0
         kept, share = np.ones(each.frequency.shape), routes.share
-        if np.any(each.half_width):  # a Lorentzian that is wider than a bin shows as much at a place next to its middle
+        if places and np.any(each.half_width):  # wider than a bin, it shows as much at a place next to its middle
             apart = np.abs(each.frequency - seen.line_frequency[row, np.maximum(routes.place, 0)])
             share = np.maximum(share, 1 / (1 + np.square(apart / np.maximum(each.half_width, 1e-9))))
         skirts = kept_skirts(twin, seen, each.node) if each.follows and count else None

@@ -60,12 +60,11 @@ class OrderSpectrum:
         -------
         ndarray, shape (combs,)
         """
-        at = np.rint(orders / self.step).astype(int)
-        x = self.ratio[np.clip(at, 0, self.ratio.size - 1)]
+        inside = orders < (self.ratio.size - 0.5) * self.step  # not those that a comb does not have, NaN
+        x = self.ratio[np.rint(np.where(inside, orders, 0.0) / self.step).astype(int)]
         s = np.minimum(expected, _CLEAREST)
         each = x * s / (1 + s) - np.log1p(s)
-        inside = (at < self.ratio.size) & np.isfinite(x)
-        return np.asarray(np.where(inside, each, 0.0).sum(axis=-1))
+        return np.asarray(np.where(inside & np.isfinite(x), each, 0.0).sum(axis=-1))
 
 
 def expected_over_noise(run: MeasuredRun, orders: Floats, square: Floats, density: Density) -> Floats:

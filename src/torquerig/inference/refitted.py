@@ -1,0 +1,37 @@
+"""A model with fewer parts or parameters, fitted anew from where the larger one is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from torquerig.diagnosis.fitting.knobs import Knob
+from torquerig.errors import TorquerigError
+from torquerig.inference.fit import Data, Fit, fitted
+
+
+def refitted(
+    fit: Fit, data: Data, *, keeps: Callable[[Knob], bool], without: frozenset[str] = frozenset()
+) -> Fit | None:  # fmt: skip
+    """Return the fit without some parts and parameters; None where there cannot be such a rig.
+
+    Parameters
+    ----------
+    keeps : callable
+        Whether a parameter is still fitted; the others are at the medians of their priors.
+    without : frozenset of str
+        Names of the parts that are left out.
+    """
+    kept = [at for at, knob in enumerate(fit.knobs) if keeps(knob)]
+    jacobian = fit.jacobian[:, [*kept, *range(len(fit.knobs), fit.jacobian.shape[1])]]
+    rig = fit.rig
+    try:
+        for name in sorted(without):
+            rig = rig.without(name)
+        return fitted(
+            rig, tuple(fit.knobs[at] for at in kept), data, gains=fit.gains, off=fit.off,
+            start=fit.positions[kept], jacobian=np.array(jacobian), nominal=fit.nominal,
+        )  # fmt: skip
+    except (TorquerigError, ValueError, np.linalg.LinAlgError):
+        return None
