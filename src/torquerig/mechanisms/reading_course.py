@@ -16,8 +16,9 @@ class ReadingCourse(Part):
     """``V (1 + g c(x)) + z c(x)``, x the share of a recording that is over: c is a step, a ramp or a settling.
 
     A diagnosis uses it for mean torques that change during each recording as no other effect of the library does.
-    c is 1 after x = ``at`` (step), ``(x - at) / (1 - at)`` after it (ramp), or ``1 - exp(-x / at)`` (settling). An
-    empirical description; not valid where the change comes at another moment of each recording.
+    c is 1 after x = ``at`` (step), ``(x - at) / (1 - at)`` after it (ramp), or ``1 - exp(-x / at)`` (settling). The
+    shapes are empirical; not valid where the change comes at another moment of each recording. Source: instrumental
+    drift as JCGM 200:2012, 4.21, defines it: a change of the indication that no change of the torque makes.
     """
 
     kind: Literal["reading_course"] = "reading_course"

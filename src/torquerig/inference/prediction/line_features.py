@@ -77,6 +77,8 @@ def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
         without = np.where(inside, 0.5 * kept * each.square, 0.0)
         swept = seen.swept if each.follows else np.ones((count, 2))
         density += _swept_density(seen, each.frequency, without, swept)
+        if each.about is not None:
+            density += np.einsum("ls,lsb->sb", np.where(at, 0.5 * each.square, 0.0), each.about)
         if count and not at.all():
             orders = (each.frequency / (turning if each.follows else 1.0))[:, 0]
             unshown.append(UnshownLines(orders, np.where(at, 0.0, 0.5 * each.square), each.follows))

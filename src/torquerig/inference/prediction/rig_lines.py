@@ -15,6 +15,7 @@ from torquerig.inference.prediction.kept_twin import speed_balance
 from torquerig.inference.prediction.measuring_chain import crosstalk_lines, passed_by_logger
 from torquerig.inference.prediction.phase_modulation import side_lines
 from torquerig.inference.prediction.ringing import ringing_lines
+from torquerig.inference.prediction.swayed_response import swayed_lines
 from torquerig.sensor_stages.tone import Tone, folded
 
 Floats = NDArray[np.float64]
@@ -31,7 +32,8 @@ class RigLines(NamedTuple):
     frequency, standard deviations of the logarithm of the square over the speeds of each segment [1], and whether they
     follow the shaft, that of ``node``. ``scatter`` is the variance of the logarithm of the square in one block [1], of
     lines that are noise in part, with the half-widths ``half_width`` [Hz]. Lines of a phase modulation
-    do not beat with the line that they belong to: together they have a constant amplitude.
+    do not beat with the line that they belong to: together they have a constant amplitude. ``about`` is the density
+    that each leaves in the bands, relative to its power [1/Hz], shape (lines, segments, bands).
     """
 
     frequency: Floats
@@ -43,6 +45,7 @@ class RigLines(NamedTuple):
     scatter: Floats | float = 0.0
     half_width: Floats | float = 0.0
     beats: bool = True
+    about: Floats | None = None
 
 
 def rig_lines(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
@@ -82,17 +85,23 @@ def _of_shafts(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
     orders = np.array([line.order for line in lines])[:, None]
     at = np.maximum(orders * np.abs(speeds) / (2 * pi), _SLOWEST * seen.run.slowest)
     both = np.concatenate([at, at * (1 + SHIFT)], axis=1)
-    gain = np.abs(passed([line.transfer for line in lines], both)) * np.tile(sources(lines, motor), 2)
+    response = passed([line.transfer for line in lines], both)
+    gain = np.abs(response) * np.tile(sources(lines, motor), 2)
     square, shifted = np.square(gain).reshape(len(lines), 2, count, points).transpose(1, 0, 2, 3)
+    here, there = response.reshape(len(lines), 2, count, points).transpose(1, 0, 2, 3)
+    steepness = (np.abs(there - here) / np.maximum(np.abs(here), 1e-300)).max(axis=2) / SHIFT
+    swayed = swayed_lines(seen, lines, np.sqrt(np.square(np.abs(here)).mean(axis=2)), steepness)
     varied = np.log(np.maximum(square, 1e-300)).std(axis=2)
     frequency = orders * np.abs(seen.speed) / (2 * pi)
     nodes = np.array([line.node for line in lines])
     source = sources(lines, motor).reshape(len(lines), count, points).mean(axis=2)
     side = side_lines(twin, seen, lines, source)
-    square, shifted = square.mean(axis=2) * side.kept, shifted.mean(axis=2) * side.kept
+    kept = side.kept if swayed is None else side.kept * swayed.kept
+    square, shifted = square.mean(axis=2) * kept, shifted.mean(axis=2) * kept
     for node in dict.fromkeys(nodes.tolist()):
         own = nodes == node
-        yield RigLines(frequency[own], square[own], shifted[own], varied[own], True, node)
+        about = None if swayed is None else swayed.about[own]
+        yield RigLines(frequency[own], square[own], shifted[own], varied[own], True, node, about=about)
     for node in dict.fromkeys(side.nodes):
         own = np.array(side.nodes) == node
         there = side.square[own]

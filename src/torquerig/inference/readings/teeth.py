@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from typing import Any
 
-from torquerig.mechanisms import GearMesh
 from torquerig.orders.kinematics.teeth import Spur
 from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts.belt import BeltStage
@@ -57,7 +57,8 @@ def with_pair(rig: Rig, stage: ToothedStage, pair: Pair) -> Rig:
         rig = rig.changed(replace(part, starts=pair[0], wheel_teeth=pair[1]))
     elif isinstance(part, BeltStage):
         rig = rig.changed(replace(part, pinion_teeth=pair[0], wheel_teeth=pair[1]))
-    for mesh in rig.parts_of(GearMesh):
-        if mesh.gear == stage.name and mesh.order_output == stage.pair[1]:
-            rig = rig.changed(replace(mesh, order_output=float(pair[1])))
+    for mesh in rig.parts:
+        if getattr(mesh, "gear", None) == stage.name and getattr(mesh, "order_output", None) == stage.pair[1]:
+            moved: dict[str, Any] = {"order_output": float(pair[1])}
+            rig = rig.changed(replace(mesh, **moved))
     return rig
