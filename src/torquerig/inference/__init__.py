@@ -11,8 +11,10 @@ readings/               other readings of the samples: with a fact of the set-up
 parameters, fit         the nominal rig's numbers, their maximum of the posterior, and the evidence; moved_gain: slopes
 additions/, addition    hypotheses: nameless effects, numbers far off, mechanisms
 context, shafts, tones, one_size, gap_width    for them; undecided_lines: orders that may be frequencies
-search                  the additions of the largest posterior odds
+search                  the additions of the largest posterior odds; dropped: those that later ones make needless
+refitted, one_number    a model with fewer parameters; where one of them would be without its prior
 adequacy, held_out      whether a model explains the data, and those that no fit has seen
 isolability/            what recordings can show and separate
+motion/                 rigs whose motion was measured: the likelihood of the samples of the effort
 engine                  all of it in order                        answer/   in the form of the contract
 """
