@@ -27,18 +27,18 @@ def drawn(step, *, limit=np.inf, sd=3.0):
 @pytest.mark.parametrize("step", [0.0154605, 0.004321])
 def test_neither_hides_the_other(step, off):
     limit = (34.0 + off) * step
-    told = drawn(step, limit=limit)
-    codes = coarse_codes([told], converter_step=CONVERTER)
+    recorded = drawn(step, limit=limit)
+    codes = coarse_codes([recorded], converter_step=CONVERTER)
     assert codes is not None
     assert codes.step == pytest.approx(step, rel=1e-6)
-    cut = flat_tops([told], full_range=RANGE, code=codes.step, coarse=True)
+    cut = flat_tops([recorded], full_range=RANGE, code=codes.step, coarse=True)
     assert cut is not None
     assert cut.limit == pytest.approx(limit)
 
 
 @pytest.mark.parametrize("sd", [1.0, 3.0, 10.0])
 def test_codes_alone_have_no_limit(sd):
-    told = drawn(0.0154605, sd=sd)
-    codes = coarse_codes([told], converter_step=CONVERTER)
+    recorded = drawn(0.0154605, sd=sd)
+    codes = coarse_codes([recorded], converter_step=CONVERTER)
     assert codes is not None
-    assert flat_tops([told], full_range=RANGE, code=codes.step, coarse=True) is None
+    assert flat_tops([recorded], full_range=RANGE, code=codes.step, coarse=True) is None

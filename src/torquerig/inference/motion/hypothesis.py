@@ -41,7 +41,7 @@ class Hypothesis:
     scale : float
         Standard deviation of the normal prior of each size [N m] or [N].
     local : bool
-        Whether each run has sizes of its own; else they are common to all.
+        Whether each run has sizes for itself alone; else all runs share them.
     zeros : float
         Standard deviation of a zero of the position of each run [rad] or [m]; 0 without.
     log_odds : float

@@ -155,14 +155,16 @@ def _in_place(fit: Fit, each: Hypothesis) -> tuple[Fit, Step]:
         return fit, Step(Tried(each, fit), 0.0, ())
     tried = sorted(_tried(less), key=lambda one: -one.log_odds)
     present = {one.name for one in less.model.additions}
-    rivals = [
+    instead = [
         one for one in tried
         if one.hypothesis.name not in present
         and (one.hypothesis.name, one.hypothesis.variant) != (each.name, each.variant)
     ]  # fmt: skip
-    full = [Tried(one.hypothesis, fitted(one.fit.model, fit.runs, after=one.fit) or one.fit) for one in rivals[:FITTED]]
+    full = [
+        Tried(one.hypothesis, fitted(one.fit.model, fit.runs, after=one.fit) or one.fit) for one in instead[:FITTED]
+    ]
     kept = max([Tried(each, fit), *full], key=lambda one: one.log_odds)
-    every = [*full, *rivals[FITTED:], Tried(each, fit)]
+    every = [*full, *instead[FITTED:], Tried(each, fit)]
     others = [(one.hypothesis, kept.log_odds - one.log_odds) for one in every if one.hypothesis is not kept.hypothesis]
     others = sorted(((one, max(gap, 0.0)) for one, gap in others), key=lambda pair: pair[1])
     return kept.fit, Step(kept, kept.log_odds - less.log_odds, tuple(others))
