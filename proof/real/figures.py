@@ -14,9 +14,10 @@ from torquerig.catalog.reading import Catalog
 from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome, diagnose_motion
 from torquerig.diagnosis.motion.evidence import root_mean_square
 from torquerig.diagnosis.motion.fitted import FittedMotion
-from torquerig.diagnosis.motion.moved import Moved, low_passed
+from torquerig.diagnosis.motion.moved import Moved
 from torquerig.diagnosis.motion.tried import Tried
 from torquerig.document import read_document
+from torquerig.recordings.sampled_motion import low_passed
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
 

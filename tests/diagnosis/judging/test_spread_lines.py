@@ -39,35 +39,35 @@ def made(by_hand: Callable[..., Observed]) -> Made:
 def found(wear_rig: Scenario, *runs: Observed, known: tuple[float, ...] = ()) -> list[Mismatch]:
     seen = tuple(features(run, [order(at) for at in known]) for run in runs)
     model = Calibrated(wear_rig.rig, (), np.zeros(0), np.zeros((0, 0)), (), 0.0)
-    told = spread_line(Case(nominal=wear_rig.rig, runs=runs, seen=seen, model=model, left=()))
-    return [] if told is None else [told]
+    recorded = spread_line(Case(nominal=wear_rig.rig, runs=runs, seen=seen, model=model, left=()))
+    return [] if recorded is None else [recorded]
 
 
 def test_a_line_that_jumps_is_told_at_its_order_by_two_speeds(wear_rig: Scenario, made: Made) -> None:
-    (told,) = found(wear_rig, made(100.0, seed=1, line=4e-3), made(70.0, seed=2, line=4e-3))
-    assert (told.domain, told.axis) == ("order", "motor_shaft")
-    assert told.at == pytest.approx(ORDER, rel=0.02)
-    assert told.recordings == ("100", "70")
-    assert told.p_value < 1e-3
+    (recorded,) = found(wear_rig, made(100.0, seed=1, line=4e-3), made(70.0, seed=2, line=4e-3))
+    assert (recorded.domain, recorded.axis) == ("order", "motor_shaft")
+    assert recorded.at == pytest.approx(ORDER, rel=0.02)
+    assert recorded.recordings == ("100", "70")
+    assert recorded.p_value < 1e-3
     # the median over a width w of a Lorentzian, a^2 L / (L^2 + (pi w / 2)^2) at L jumps a second, over 2 s^2 / rate
-    width = told.width * 85.0 / (2 * pi)
+    width = recorded.width * 85.0 / (2 * pi)
     assert width == pytest.approx(1.5, rel=0.02) or width == pytest.approx(3.0, rel=0.02)
     line = 4e-3**2 * 3.0 / (3.0**2 + (0.5 * pi * width) ** 2)
-    assert told.excess_dB == pytest.approx(10 * np.log10(line / (2 * 2e-2**2 / RATE)), abs=2.0)
+    assert recorded.excess_dB == pytest.approx(10 * np.log10(line / (2 * 2e-2**2 / RATE)), abs=2.0)
 
 
 def test_runs_that_show_it_little_show_it_together(wear_rig: Scenario, made: Made) -> None:
     runs = [made(speed, seed=seed, line=2.2e-3) for seed, speed in enumerate((100.0, 83.0, 70.0, 58.0), start=1)]
     assert all(found(wear_rig, run) == [] for run in runs[:2])
-    (told,) = found(wear_rig, *runs)
-    assert told.domain == "order"
-    assert told.at == pytest.approx(ORDER, rel=0.02)
+    (recorded,) = found(wear_rig, *runs)
+    assert recorded.domain == "order"
+    assert recorded.at == pytest.approx(ORDER, rel=0.02)
 
 
 def test_one_speed_tells_its_frequency(wear_rig: Scenario, made: Made) -> None:
-    (told,) = found(wear_rig, made(100.0, seed=1, line=4e-3), made(100.0, seed=2))
-    assert (told.domain, told.axis) == ("frequency", "Hz")
-    assert told.at == pytest.approx(ORDER * 100.0 / (2 * pi), abs=1.5)
+    (recorded,) = found(wear_rig, made(100.0, seed=1, line=4e-3), made(100.0, seed=2))
+    assert (recorded.domain, recorded.axis) == ("frequency", "Hz")
+    assert recorded.at == pytest.approx(ORDER * 100.0 / (2 * pi), abs=1.5)
 
 
 @pytest.mark.parametrize("seed", range(5))

@@ -12,10 +12,11 @@ import pytest
 import torquerig as tr
 from torquerig.catalog.reading import Catalog
 from torquerig.diagnosis.any_rig import diagnosed
-from torquerig.diagnosis.motion.moved import imposed_part, moved_runs
+from torquerig.diagnosis.motion.moved import moved_runs
 from torquerig.diagnosis.motion.predicted import predicted
 from torquerig.document import parse_document
 from torquerig.recordings.recording import Channel, Recording
+from torquerig.rig.imposed_part import imposed_part
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
 from torquerig.scenario.recorded.compared_channel import as_measured

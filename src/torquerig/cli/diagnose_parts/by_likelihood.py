@@ -12,11 +12,11 @@ from torquerig.inference.answer import as_json
 from torquerig.inference.engine import Outcome, diagnose
 from torquerig.inference.motion.answer import as_json as motion_json
 from torquerig.inference.motion.engine import MotionOutcome, diagnose_motion
-from torquerig.inference.motion.imposed_run import imposed_part
 from torquerig.recordings.recording import Recording
 from torquerig.reporting.diagnosis.answer_text import answer_lines
 from torquerig.reporting.diagnosis.likelihood.sentences import remarks_of, verdict_of
 from torquerig.reporting.diagnosis.sentences import MOTION_RESIDUAL
+from torquerig.rig.imposed_part import imposed_part
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.recorded.compared_channel import as_measured
 

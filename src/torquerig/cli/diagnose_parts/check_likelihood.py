@@ -8,12 +8,12 @@ from pathlib import Path
 from torquerig.cli.progress import stages
 from torquerig.inference.engine import Prepared, prepared
 from torquerig.inference.isolability.beforehand import Beforehand, beforehand
-from torquerig.inference.motion.imposed_run import imposed_part
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.recording import Recording
 from torquerig.reporting.diagnosis.sentences import mechanism_text
 from torquerig.reporting.json_results.diagnosis import DiagnoseCheckResult, InseparablePair, UpperLimit
 from torquerig.reporting.layout import plain
+from torquerig.rig.imposed_part import imposed_part
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.recorded.compared_channel import as_measured
 

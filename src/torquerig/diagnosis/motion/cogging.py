@@ -12,7 +12,8 @@ from torquerig.diagnosis.case import Candidate
 from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.motion.fitted import FittedMotion
 from torquerig.diagnosis.motion.lines import Line, lines_in
-from torquerig.diagnosis.motion.moved import Moved, imposed_part
+from torquerig.diagnosis.motion.moved import Moved
+from torquerig.rig.imposed_part import imposed_part
 from torquerig.rig.parts import Motor
 
 _HIGHEST = 3  # times the native order

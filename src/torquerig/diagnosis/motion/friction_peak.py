@@ -12,8 +12,9 @@ from torquerig.diagnosis.case import Candidate
 from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.motion.fitted import FittedMotion
 from torquerig.diagnosis.motion.friction import FALLS, HOLDS, PEAKED, STOOD_IN
-from torquerig.diagnosis.motion.moved import Moved, imposed_part
+from torquerig.diagnosis.motion.moved import Moved
 from torquerig.rig.assembly import Rig
+from torquerig.rig.imposed_part import imposed_part
 from torquerig.rig.terms import Friction
 
 _NONE = 1.02  # times what slides: a static friction up to here is no peak

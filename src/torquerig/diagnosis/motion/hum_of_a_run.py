@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.motion.moved import Moved, low_passed
+from torquerig.diagnosis.motion.moved import BAND, Moved
+from torquerig.recordings.sampled_motion import low_passed
 from torquerig.rig.assembly import Part, Rig
 
 Floats = NDArray[np.float64]
@@ -30,7 +31,7 @@ def hum_in(hums: Sequence[Any], run: Moved, left: Floats) -> Floats:
         sizes = sizes_in(left, time, mask, part.frequency, len(part.amplitudes))
         for harmonic, (size, amplitude) in enumerate(zip(sizes, part.amplitudes, strict=True), start=1):
             whole += amplitude * np.cos(2 * np.pi * harmonic * part.frequency * time + np.angle(size))
-    return low_passed(whole)
+    return low_passed(whole, BAND)
 
 
 def sizes_in(left: Floats, time: Floats, mask: NDArray[np.bool_], frequency: float, count: int) -> list[complex]:

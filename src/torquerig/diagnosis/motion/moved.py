@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -10,11 +10,14 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.motion.effort_samples import EffortFaults, effort_faults
 from torquerig.errors import InputError, RecordingError
+from torquerig.recordings.effort import effort_of
 from torquerig.recordings.inputs import input_channel
 from torquerig.recordings.recording import Channel, Recording
-from torquerig.recordings.replay import ReplayedMotion, replayed_motion
+from torquerig.recordings.replay import replayed_motion
+from torquerig.recordings.sampled_motion import SampledMotion, low_passed
 from torquerig.rig.assembly import Rig
-from torquerig.rig.parts import ImposedMotion, InductionDrive, SpeedController, TorqueController
+from torquerig.rig.imposed_part import imposed_part
+from torquerig.rig.parts import ImposedMotion
 
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -23,23 +26,6 @@ BAND = 0.1  # of the sample rate: motion and effort are compared below it; beyon
 STRETCHES = 10  # of a run; every other one is held out where no whole run is
 _EDGE = 3.0  # periods of the band's edge at either end, where the low-pass has nothing to look at
 _FEWEST = 400
-EFFORTS = ("torque", "force", "motor_torque")
-
-
-@dataclass(frozen=True, eq=False)
-class SampledMotion:
-    """A motion on the samples of its own recording, which every simulation of the run asks for again."""
-
-    curve: ReplayedMotion
-    time: Floats
-    angle: Floats
-    speed: Floats
-
-    def at(self, time: Floats) -> tuple[Floats, Floats]:
-        """Return angle and speed at equally spaced times [s]; InputError where they go beyond the recording."""
-        if time.size == self.time.size and np.array_equal(time, self.time):
-            return self.angle, self.speed
-        return self.curve.at(time)
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,19 +70,6 @@ def under_measured_motion(rig: Rig) -> bool:
     return imposed_part(rig) is not None
 
 
-def imposed_part(rig: Rig) -> ImposedMotion | None:
-    """Return the part whose motion each recording states, where that alone drives the rig, or None.
-
-    What is compared is its effort, where ``measured`` names it; else the torque in the measured spring.
-    """
-    part = rig.part(rig.measured)
-    if isinstance(part, ImposedMotion):
-        return part if part.recording is None else None
-    driven = any(rig.parts_of(drive) for drive in (SpeedController, TorqueController, InductionDrive))
-    moved = [one for one in rig.parts_of(ImposedMotion) if one.from_ is not None]
-    return moved[0] if len(moved) == 1 and part.opens_node and not driven else None
-
-
 def moved(
     recording: Recording, part: ImposedMotion, *, held_out: bool | None = None, mended: Floats | None = None,
     spoilt: Mask | None = None,
@@ -124,7 +97,7 @@ def moved(
     rate = recording.sample_rate
     moving = input_channel(recording, part.wanted, at=part.at)
     raw = replayed_motion(recording, moving, factor=part.factor)
-    curve = replace(raw, values=low_passed(raw.values))
+    curve = replace(raw, values=low_passed(raw.values, BAND))
     time = np.arange(recording.samples + 1) / rate  # a run ends a sample behind its last
     motion = SampledMotion(curve, time, *curve.at(time))
     position, speed = motion.angle[:-1], motion.speed[:-1]
@@ -145,7 +118,7 @@ def moved(
     effort = channel.in_si() if mended is None else replace(channel, values=mended).in_si()
     seen = _parted(recording.samples) if held_out is None else np.full(recording.samples, not held_out)
     return Moved(
-        recording=replace(recording, sample_rate=rate), motion=motion, effort=low_passed(effort),
+        recording=replace(recording, sample_rate=rate), motion=motion, effort=low_passed(effort, BAND),
         position=position, speed=speed, seen=inner & seen, held=inner & ~seen, channel=channel,
     )  # fmt: skip
 
@@ -176,37 +149,6 @@ def moved_runs(
 def faults_in(recordings: Sequence[Recording], *, limits: bool = True) -> EffortFaults:
     """Return the faults of the recordings' efforts; without ``limits`` a level that they stop at is the drive's."""
     return effort_faults(recordings, [effort_of(each) for each in recordings], limits=limits)
-
-
-def low_passed(values: Floats, band: float = BAND) -> Floats:
-    """Return a signal below ``band`` (of its sample rate), without delay."""
-    from scipy.signal import butter, sosfiltfilt
-
-    return np.asarray(sosfiltfilt(butter(4, 2 * band, output="sos"), values))
-
-
-def effort_of(recording: Recording) -> Channel:
-    """Return the channel that is compared; RecordingError where there is none, or one with gaps."""
-    name = next(_efforts_in(recording), None)
-    if name is None:
-        raise RecordingError(
-            f"{recording.name}: there is no torque, force or motor_torque channel among "
-            f"{', '.join(recording.channels)}; a current is one with its constant: {{quantity: motor_torque, unit: A, "
-            "Nm_per_A: 0.1}"
-        )
-    channel = recording.channels[name]
-    if not np.isfinite(channel.values).all():
-        raise RecordingError(f"{recording.name}: {name} has gaps; cut the recording to a span without gaps")
-    return channel
-
-
-def _efforts_in(recording: Recording) -> Iterator[str]:
-    """Yield the channels of effort: first the compared ones, and none that is an input or context."""
-    for role in ("compared", None):
-        for quantity in EFFORTS:
-            for name, one in recording.channels.items():
-                if one.quantity == quantity and one.role == role and not one.truth:
-                    yield name
 
 
 def _parted(samples: int) -> Mask:

@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.motion.evidence import root_mean_square
 from torquerig.diagnosis.motion.lines import Line, even, phase_of, turn_of, waves
-from torquerig.diagnosis.motion.moved import Moved, imposed_part
+from torquerig.diagnosis.motion.moved import Moved
 from torquerig.mechanisms import TorqueRipple
 from torquerig.rig.assembly import Rig
+from torquerig.rig.imposed_part import imposed_part
 from torquerig.rig.parts import ImposedMotion
 
 Floats = NDArray[np.float64]

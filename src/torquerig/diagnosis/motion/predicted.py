@@ -8,10 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnosis.motion.hum_of_a_run import hum_in, hums_of
-from torquerig.diagnosis.motion.moved import Moved, imposed_part, low_passed
+from torquerig.diagnosis.motion.moved import BAND, Moved
 from torquerig.errors import SimulationError
+from torquerig.recordings.sampled_motion import low_passed
 from torquerig.rig import terms
 from torquerig.rig.assembly import Rig
+from torquerig.rig.imposed_part import imposed_part
 from torquerig.rig.parts import ImposedMotion
 from torquerig.simulation.inputs import Span
 from torquerig.simulation.ready import ready
@@ -65,5 +67,5 @@ def predicted(rig: Rig, run: Moved) -> Floats:
         made = stepped(prepared)
     except SimulationError:
         return far_off
-    taken = low_passed(made.torque())
+    taken = low_passed(made.torque(), BAND)
     return taken + hum_in(hums, run, run.effort - taken) if hums else taken

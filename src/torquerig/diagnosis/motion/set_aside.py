@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping, Sequence
 
 from torquerig import mechanisms
 from torquerig.diagnosis.motion.friction import carrier
-from torquerig.diagnosis.motion.moved import imposed_part
 from torquerig.diagnosis.motion.tried import Refused, Step
 from torquerig.rig.assembly import Rig
+from torquerig.rig.imposed_part import imposed_part
 from torquerig.rig.parts import Gear, Link, Motor
 
 CLASSES: Mapping[str, tuple[str, ...]] = {  # by the contract's name: what would state it, in the library

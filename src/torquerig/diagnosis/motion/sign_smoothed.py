@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from torquerig.diagnosis.fitting.knobs import Knob
-from torquerig.diagnosis.motion.moved import imposed_part
 from torquerig.rig.assembly import Rig
+from torquerig.rig.imposed_part import imposed_part
 
 _SPREAD = 0.7  # of its logarithm: within a factor of two, one sigma
 

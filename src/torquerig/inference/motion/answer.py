@@ -13,10 +13,11 @@ from torquerig.inference.answer.document import SCHEMA
 from torquerig.inference.answer.numbers import MOST_SURE, TWO_SIDED, digits
 from torquerig.inference.motion.engine import MotionOutcome
 from torquerig.inference.motion.hypothesis import Hypothesis
-from torquerig.inference.motion.imposed_run import ImposedRun, imposed_part
+from torquerig.inference.motion.imposed_run import ImposedRun
 from torquerig.inference.motion.parameters_found import far_parameters, parameters_of
 from torquerig.inference.motion.search import LEAST_GAIN, Step
 from torquerig.inference.motion.sizes import amplitude, held_out_effort, held_out_rms, relevance, size
+from torquerig.rig.imposed_part import imposed_part
 from torquerig.rig.reading_place import effort_unit
 
 METRIC = (

@@ -15,10 +15,11 @@ from torquerig.inference.motion.fit import fitted
 from torquerig.inference.motion.fitted_model import Fit
 from torquerig.inference.motion.held_out import HeldOut, held_out
 from torquerig.inference.motion.hypothesis import Model
-from torquerig.inference.motion.imposed_run import ImposedRun, imposed_part, imposed_runs
+from torquerig.inference.motion.imposed_run import ImposedRun, imposed_runs
 from torquerig.inference.motion.search import Step, searched
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Part, Rig
+from torquerig.rig.imposed_part import imposed_part
 from torquerig.scenario.model import Scenario
 
 Floats = NDArray[np.float64]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -10,38 +10,22 @@ from numpy.typing import NDArray
 
 from torquerig.errors import InputError, RecordingError
 from torquerig.inference.motion.lapped import frames_of, frequencies, from_lapped, lapped
+from torquerig.recordings.effort import effort_of
 from torquerig.recordings.inputs import input_channel
 from torquerig.recordings.recording import Channel, Recording
-from torquerig.recordings.replay import ReplayedMotion, replayed_motion
+from torquerig.recordings.replay import replayed_motion
+from torquerig.recordings.sampled_motion import SampledMotion, low_passed
 from torquerig.rig.assembly import Rig
-from torquerig.rig.parts import ImposedMotion, InductionDrive, SpeedController, TorqueController
+from torquerig.rig.imposed_part import imposed_part
+from torquerig.rig.parts import ImposedMotion
 
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 BAND = 0.1  # of the sample rate: above it the second derivative of a coarse scale is mostly noise
-_EFFORTS = ("torque", "force", "motor_torque")
 _FEWEST = 400  # samples: ten frames of 40, of which eight frequencies are compared
 _FRAMES = 24  # of a run: long enough for slow effects, and enough of them to hold a third out
 _EDGE = 30  # samples at either end that the low-pass of the motion disturbs, three periods of the band's edge
-
-
-@dataclass(frozen=True, eq=False)
-class SampledMotion:
-    """A motion on the samples of its recording; ``zero`` is added to the position [rad] or [m]."""
-
-    curve: ReplayedMotion
-    time: Floats
-    angle: Floats
-    speed: Floats
-    zero: float = 0.0
-
-    def at(self, time: Floats) -> tuple[Floats, Floats]:
-        """Return angle and speed at equally spaced times [s]; InputError where they go beyond the recording."""
-        if time.size == self.time.size and np.array_equal(time, self.time):
-            return self.angle + self.zero, self.speed
-        angle, speed = self.curve.at(time)
-        return angle + self.zero, speed
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,19 +103,6 @@ class ImposedRun:
         return inside
 
 
-def imposed_part(rig: Rig) -> ImposedMotion | None:
-    """Return the part whose motion each recording states, where nothing else drives the rig, or None.
-
-    The effort of that part is compared where ``measured`` names it, else the torque in the measured spring.
-    """
-    part = rig.part(rig.measured)
-    if isinstance(part, ImposedMotion):
-        return part if part.recording is None else None
-    driven = any(rig.parts_of(drive) for drive in (SpeedController, TorqueController, InductionDrive))
-    imposed = [one for one in rig.parts_of(ImposedMotion) if one.from_ is not None]
-    return imposed[0] if len(imposed) == 1 and part.opens_node and not driven else None
-
-
 def imposed_runs(
     recordings: Sequence[Recording], rig: Rig, *, held_out: Sequence[str] = ()
 ) -> tuple[ImposedRun, ...]:  # fmt: skip
@@ -160,13 +131,13 @@ def imposed_runs(
 
 
 def _run(recording: Recording, part: ImposedMotion, *, held: bool | None) -> ImposedRun:
-    channel, samples, rate = effort_channel(recording), recording.samples, recording.sample_rate
+    channel, samples, rate = effort_of(recording), recording.samples, recording.sample_rate
     if samples < _FEWEST:
         raise RecordingError(
             f"{recording.name}: {samples} samples of motion are too few for a diagnosis; record at least {_FEWEST}"
         )
     raw = replayed_motion(recording, input_channel(recording, part.wanted, at=part.at), factor=part.factor)
-    curve = replace(raw, values=low_passed(raw.values))
+    curve = replace(raw, values=low_passed(raw.values, BAND))
     time = np.arange(samples + 1) / rate  # a run ends a sample after its last
     motion = SampledMotion(curve, time, *curve.at(time))
     if not np.ptp(motion.angle) > 0:
@@ -177,34 +148,3 @@ def _run(recording: Recording, part: ImposedMotion, *, held: bool | None) -> Imp
     count = frames_of(samples - 2 * _EDGE, bins)
     out = np.arange(count) % 3 == 1 if held is None else np.full(count, held)
     return ImposedRun(recording, motion, channel.in_si(), channel, bins, ~out, out)
-
-
-def low_passed(values: Floats, band: float = BAND) -> Floats:
-    """Return a signal below ``band`` of its sample rate, without delay (Butterworth, fourth order, both ways)."""
-    from scipy.signal import butter, sosfiltfilt
-
-    return np.asarray(sosfiltfilt(butter(4, 2 * band, output="sos"), values))
-
-
-def effort_channel(recording: Recording) -> Channel:
-    """Return the channel that is compared; RecordingError where there is none, or one with gaps."""
-    name = next(_efforts_in(recording), None)
-    if name is None:
-        raise RecordingError(
-            f"{recording.name}: there is no torque, force or motor_torque channel among "
-            f"{', '.join(recording.channels)}; a current is one with its constant: {{quantity: motor_torque, unit: A, "
-            "Nm_per_A: 0.1}"
-        )
-    channel = recording.channels[name]
-    if not np.isfinite(channel.values).all():
-        raise RecordingError(f"{recording.name}: {name} has gaps; cut the recording to a span without gaps")
-    return channel
-
-
-def _efforts_in(recording: Recording) -> Iterator[str]:
-    """Yield the channels of effort: first the compared ones, and none that is an input or context."""
-    for role in ("compared", None):
-        for quantity in _EFFORTS:
-            for name, one in recording.channels.items():
-                if one.quantity == quantity and one.role == role and not one.truth:
-                    yield name

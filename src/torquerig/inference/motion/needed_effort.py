@@ -8,9 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import SimulationError
-from torquerig.inference.motion.imposed_run import ImposedRun, imposed_part, low_passed
+from torquerig.inference.motion.imposed_run import BAND, ImposedRun
+from torquerig.recordings.sampled_motion import low_passed
 from torquerig.rig import terms
 from torquerig.rig.assembly import Rig
+from torquerig.rig.imposed_part import imposed_part
 from torquerig.rig.parts import ImposedMotion
 from torquerig.simulation.inputs import Span
 from torquerig.simulation.ready import ready
@@ -48,7 +50,7 @@ def needed_effort(rig: Rig, run: ImposedRun, *, zero: float = 0.0) -> Floats | N
     if prepared.steps > _MOST_STEPS:
         return None
     try:
-        return low_passed(np.asarray(stepped(prepared).torque()))
+        return low_passed(np.asarray(stepped(prepared).torque()), BAND)
     except SimulationError:
         return None
 

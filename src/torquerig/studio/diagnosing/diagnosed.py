@@ -106,11 +106,11 @@ def _by_likelihood(
 ) -> DiagnosisShown:
     from torquerig.inference.answer import as_json
     from torquerig.inference.engine import diagnose
-    from torquerig.inference.motion.imposed_run import imposed_part
     from torquerig.reporting.diagnosis.answer_text import answer_lines
     from torquerig.reporting.diagnosis.likelihood.first_screen import first_screen
     from torquerig.reporting.diagnosis.likelihood.page import likelihood_page
     from torquerig.reporting.diagnosis.likelihood.sentences import remarks_of, verdict_of
+    from torquerig.rig.imposed_part import imposed_part
     from torquerig.scenario.recorded.compared_channel import as_measured
 
     if imposed_part(scenario.rig) is not None:

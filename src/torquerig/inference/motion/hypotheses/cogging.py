@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 from torquerig import mechanisms
 from torquerig.inference.motion.fitted_model import Fit, effort_scale
 from torquerig.inference.motion.hypothesis import MECHANISM, Hypothesis
-from torquerig.inference.motion.imposed_run import BAND, ImposedRun, imposed_part
+from torquerig.inference.motion.imposed_run import BAND, ImposedRun
 from torquerig.rig.assembly import Part
+from torquerig.rig.imposed_part import imposed_part
 from torquerig.rig.parts import Motor
 
 Floats = NDArray[np.float64]

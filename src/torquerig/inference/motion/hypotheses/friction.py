@@ -14,8 +14,8 @@ from torquerig.inference.addition import DECADE, start_of
 from torquerig.inference.motion.fitted_model import Fit, effort_scale
 from torquerig.inference.motion.hypotheses.shown import carrier, fitted_runs, least_squares, stroke, top_speed
 from torquerig.inference.motion.hypothesis import MECHANISM, Hypothesis
-from torquerig.inference.motion.imposed_run import imposed_part
 from torquerig.rig.assembly import Part
+from torquerig.rig.imposed_part import imposed_part
 
 _SIZE = 0.1  # of the rms effort: median of the prior of a friction that nobody knows, a decade wide
 _SMOOTHED = {

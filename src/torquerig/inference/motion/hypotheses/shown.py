@@ -7,8 +7,9 @@ from numpy.typing import NDArray
 
 from torquerig.inference.motion.density import weights
 from torquerig.inference.motion.fitted_model import Fit
-from torquerig.inference.motion.imposed_run import ImposedRun, imposed_part
+from torquerig.inference.motion.imposed_run import ImposedRun
 from torquerig.rig.assembly import Rig
+from torquerig.rig.imposed_part import imposed_part
 from torquerig.rig.parts import Body, Motor, Slide
 
 Floats = NDArray[np.float64]
