@@ -60,7 +60,7 @@ def test_a_slip_of_the_pen_is_exact(rig):
 
 def test_an_induction_motor_slips_by_its_load(on_mains):
     run = drawn_run(1, speed=steady(1500.0)).run
-    share, unsure = slipped(on_mains, on_mains.part("supply"), run, ())
+    share, unsure = slipped(on_mains, run, ())
     torque = 2.0 + 0.003 * run.speed * share  # load and viscous drag of the pump
     # Kloss: T / Tb = 2 x / (1 + x^2), x the slip over that of breakdown
     slips = np.array([1 - share, 1 - 149.8 / (50 * np.pi)])
@@ -72,14 +72,11 @@ def test_an_induction_motor_slips_by_its_load(on_mains):
 def test_an_uncertain_load_makes_the_slip_uncertain(on_mains):
     run = drawn_run(1, speed=steady(1500.0)).run
     load = Knob("load", "mean_by_occupancy_percent", 0.5, key=0)
-    assert (
-        slipped(on_mains, on_mains.part("supply"), run, (load,))[1]
-        > slipped(on_mains, on_mains.part("supply"), run, ())[1]
-    )
+    assert slipped(on_mains, run, (load,))[1] > slipped(on_mains, run, ())[1]
 
 
 def test_slip_is_no_fault_and_what_exceeds_it_is(on_mains):
-    share, _ = slipped(on_mains, on_mains.part("supply"), drawn_run(1, speed=steady(1500.0)).run, ())
+    share, _ = slipped(on_mains, drawn_run(1, speed=steady(1500.0)).run, ())
     assert speed_factor(read(share, stated=1500.0), on_mains, set_point_error=0.005) is None
     found = speed_factor(read(0.9 * share, stated=1500.0), on_mains, set_point_error=0.005)
     assert found.value == pytest.approx(0.9, abs=0.005)

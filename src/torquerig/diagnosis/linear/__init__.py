@@ -3,4 +3,5 @@
 transfer       shafts to reading, on a grid           twin         lines and load spectrum of a rig
 quasi_static   slow torque                            winding      the same near standstill
 kernel         its compiled part                      loaded_part  which part the load acts on
+field_speed    the slip of an induction motor
 """

@@ -10,6 +10,7 @@ from statistics import median
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnosis.linear.field_speed import share_of_field
 from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.own_factor import own_factor
 from torquerig.diagnosis.side_by_side import of_each
@@ -49,19 +50,23 @@ def shaft_angles(recordings: Sequence[Recording], rig: Rig, *, also: Sequence[fl
     ``also`` are orders of the motor that stand out beside those that the rig's kinematics know.
 
     Most drives have one error of scale: the factor by which the rig's speeds differ from their set-points is the median
-    over the steady runs whose angle was measured or followed, and a run has its own only where it is clearly another. A
-    ramp or reversal without an encoder, or a run whose lines do not stand out, turns as the nominal rig does when its
-    set-point is scaled by that factor, or by the one along which its lines stand out; its ripple is left out, for
-    nobody knows at which phase it moves the shaft.
+    over the steady runs whose angle was measured or followed, and a run has its own only where it is clearly another.
+    The slip of an induction motor is no such error: it depends on the load of each run. A ramp or reversal without an
+    encoder, or a run whose lines do not stand out, turns as the nominal rig does when its set-point is scaled by that
+    factor, or by the one along which its lines stand out; its ripple is left out, for nobody knows at which phase it
+    moves the shaft.
     """
     found = of_each(partial(_told, rig=rig, also=also), recordings)
     pairs = [*zip(recordings, found, strict=True)]
-    factors = [angle.factor for run, angle in pairs if angle is not None and _asked(run)]
+    shares = [share_of_field(rig, run.run) if _asked(run) else 1.0 for run in recordings]
+    factors = [angle.factor / share for (run, angle), share in zip(pairs, shares, strict=True)
+               if angle is not None and _asked(run)]  # fmt: skip
     factor = median(factors) if factors else 1.0
     return [
-        _simulated(run, rig, factor, also) if angle is None else _scaled(angle, factor, own=bool(_asked(run)))
-        for run, angle in pairs
-    ]
+        _simulated(run, rig, factor, also, share=share) if angle is None
+        else _scaled(angle, factor * share, own=bool(_asked(run)))
+        for (run, angle), share in zip(pairs, shares, strict=True)
+    ]  # fmt: skip
 
 
 def _asked(recording: Recording) -> float | None:
@@ -100,7 +105,7 @@ def _followed(recording: Recording, rig: Rig, also: Sequence[float]) -> MotorAng
     return angle if angle.half_width < _FOLLOWED else None
 
 
-def _simulated(recording: Recording, rig: Rig, factor: float, also: Sequence[float]) -> ShaftAngle:
+def _simulated(recording: Recording, rig: Rig, factor: float, also: Sequence[float], *, share: float) -> ShaftAngle:
     run = replace(recording.run, speed=set_point_speed(recording, "recordings without an angle channel") * factor)
     orders = [*(line.order for line in Twin(rig.at(run)).lines()), *also]
     for ripple in rig.parts_of(TorqueRipple):
@@ -110,4 +115,4 @@ def _simulated(recording: Recording, rig: Rig, factor: float, also: Sequence[flo
     if run.profile != "steady":
         own = own_factor(recording.torque(), recording.sample_rate, angle, orders, expected=factor)
         angle, factor = angle * own, factor * own
-    return ShaftAngle(angle, False, f"simulated from the set-point times {factor:.5f}", factor)
+    return ShaftAngle(angle, False, f"simulated from the set-point times {factor:.5f}", factor * share)

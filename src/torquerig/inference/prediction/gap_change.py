@@ -21,12 +21,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnosis.expecting.phased import with_phases_of
+from torquerig.diagnosis.linear.field_speed import share_of_field
 from torquerig.diagnosis.looking.observed import Observed, Stretch, speed_of
 from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.features.rests import near_zero, rests
 from torquerig.inference.features.run_features import RunFeatures, blocks_like, features_like, run_features
 from torquerig.inference.measured_run import MeasuredRun
 from torquerig.recordings.recording import Recording
+from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Part, Rig
 from torquerig.sensor_stages.scale_and_zero import ScaleAndZero
 
@@ -192,12 +194,21 @@ def _recordings(closed: Rig, part: Part, run: MeasuredRun) -> list[Recording]:
     """Return simulated runs, those of one seed together: without a gap, then with each width."""
     from torquerig.simulation.batch import simulate_batch
 
-    at, rate = with_phases_of(closed, _observed(run), held=False).at(run.run), run.rate
+    phased, rate = with_phases_of(closed, _observed(run), held=False), run.rate
+    at = phased.at(_of_field(phased, run))
     rigs = [at + replace(part, gap=width * ARCMIN) for width in (0.0, *WIDTHS)]  # type: ignore[call-arg]
     seeds = [_FRESH_SEED + one for one in range(_REPLICATES) for _ in rigs]
     return simulate_batch(
         rigs * _REPLICATES, seeds=seeds, duration=run.torque.size / rate, sample_rate=rate, most_steps=10_000, workers=1
     )
+
+
+def _of_field(rig: Rig, run: MeasuredRun) -> Run:
+    """Return the conditions of a run with the set-point of its drive: that of an induction motor is its field."""
+    conditions = run.run
+    if conditions.speed is None or not run.is_steady:
+        return conditions
+    return replace(conditions, speed=conditions.speed / share_of_field(rig, conditions))
 
 
 def _observed(run: MeasuredRun) -> Observed:

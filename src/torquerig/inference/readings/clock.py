@@ -43,7 +43,7 @@ def speed_factor(reading: Reading, rig: Rig, *, set_point_error: float) -> Facto
     found = list[tuple[float, float]]()
     for run in steady:
         stated = None if run.run.speed is None else run.run.speed / run.speed_factor
-        share, unsure = slipped(rig, drives[0], replace(run.run, speed=stated), reading.fit.knobs) if drives else (1, 0)
+        share, unsure = slipped(rig, replace(run.run, speed=stated), reading.fit.knobs) if drives else (1, 0)
         followed = 0.0 if run.has_encoder else _FOLLOWED
         found.append((run.speed_factor / share, hypot(set_point_error / sqrt(3), followed, unsure)))
     factors, deviations = np.array(found).T
