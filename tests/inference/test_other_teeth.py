@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.inference.drawn_runs import drawn_run, steady
+from tests.inference.drawn_runs import drawn_run, ramp, steady
 from tests.inference.pump_bench import pump_scenario, recorded, simulated
 from torquerig.inference.engine import prepared
 from torquerig.inference.readings.order_comb import order_spectrum
@@ -70,12 +70,19 @@ def test_a_mesh_line_stated_at_the_wheel_moves_with_its_teeth(geared):
     assert other.part("gearbox").ratio == pytest.approx(-3.75)
 
 
+def level_density(frequency):
+    return np.full(frequency.shape, 2 * 0.3**2 / 2000.0)
+
+
+def spectrum_of(run, *, fixed=(), highest=2.0):
+    return order_spectrum(run, fixed=np.array(fixed), expected=np.full(len(fixed), 30.0), highest=highest,
+                          density=level_density)  # fmt: skip
+
+
 def test_a_comb_agrees_best_where_the_lines_are():
     run = drawn_run(1, speed=steady(1200.0), orders={0.333: 0.2, 0.667: 0.2}, noise=0.3)
-    density = 2 * 0.3**2 / run.rate
-    found = order_spectrum(run, fixed=(), highest=2.0, density=lambda frequency: np.full(frequency.shape, density))
     orders = np.array([[0.333, 0.667], [0.340, 0.680], [0.5, 1.0]])
-    here, near, far = found.log_ratio(orders, np.array([30.0, 30.0]))
+    here, near, far = spectrum_of(run).log_ratio(orders, np.array([30.0, 30.0]))
     assert here > 20
     assert near < 0
     assert far < 0
@@ -83,10 +90,33 @@ def test_a_comb_agrees_best_where_the_lines_are():
 
 def test_known_lines_of_other_shafts_say_nothing_of_a_stage():
     run = drawn_run(1, speed=steady(1200.0), orders={1.0: 0.5}, noise=0.1)
-    found = order_spectrum(run, fixed=(1.0,), highest=2.0, density=lambda frequency: np.full(frequency.shape, 1e-5))
-    assert found.log_ratio(np.array([[1.0]]), np.array([30.0])) == 0.0
+    assert spectrum_of(run, fixed=(1.0,)).log_ratio(np.array([[1.0]]), np.array([30.0])) == pytest.approx(0.0, abs=1e-9)
 
 
-def test_no_spectrum_without_a_measured_angle():
-    run = replace(drawn_run(1, speed=steady(1200.0)), has_encoder=False)
-    assert order_spectrum(run, fixed=(), highest=2.0, density=lambda frequency: np.ones(frequency.shape)) is None
+def test_a_part_of_a_bin_separates_strong_lines():
+    run = drawn_run(1, speed=steady(1200.0), orders={0.1: 0.4, 0.2: 0.4}, noise=0.3)
+    orders = np.array([[0.1, 0.2], [0.1017, 0.2034]])  # one tooth in 60: 0.4 and 0.8 bins
+    here, near = spectrum_of(run).log_ratio(orders, np.array([100.0, 100.0]))
+    assert here - near > 10
+
+
+def turned_without_encoder(factor, **lines):
+    """Return a run whose estimated angle is ``factor`` times the true one."""
+    run = drawn_run(1, speed=steady(1200.0), noise=0.3, **lines)
+    return replace(run, has_encoder=False, angle=run.angle * factor, speed=run.speed * factor)
+
+
+def test_without_an_encoder_known_lines_determine_the_speed():
+    run = turned_without_encoder(1.006, orders={0.1: 0.4, 0.2: 0.4, 1.0: 0.4, 2.0: 0.4})
+    orders = np.array([[0.1, 0.2], [0.1017, 0.2034], [0.0984, 0.1967]])
+    here, less, more = spectrum_of(run, fixed=(1.0, 2.0)).log_ratio(orders, np.array([100.0, 100.0]))
+    assert here - max(less, more) > 10
+
+
+def test_without_an_encoder_lines_that_the_speed_spreads_are_not_compared():
+    run = turned_without_encoder(1.0, orders={8.0: 0.4})
+    assert spectrum_of(run, highest=10.0).log_ratio(np.array([[8.0]]), np.array([30.0])) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_no_spectrum_of_a_run_up_without_a_measured_angle():
+    assert spectrum_of(replace(drawn_run(1, speed=ramp(1200.0)), has_encoder=False)) is None

@@ -109,10 +109,11 @@ def _over_noise(values: Floats, rate: float, density: Density) -> Floats:
     return np.zeros(0) if ratio is None else as_exponential(ratio)
 
 
-def spectrum(values: Floats, rate: float) -> Floats:
-    """Return the one-sided periodogram under a Hann window [unit^2/Hz]."""
+def spectrum(values: Floats, rate: float, *, finer: int = 1) -> Floats:
+    """Return the one-sided periodogram under a Hann window [unit^2/Hz], with ``finer`` points per bin."""
     window = np.hanning(values.size)
-    return np.asarray(2 * np.abs(np.fft.rfft(values * window)) ** 2 / ((window**2).sum() * rate))
+    bins = np.fft.rfft(values * window, finer * values.size)
+    return np.asarray(2 * np.abs(bins) ** 2 / ((window**2).sum() * rate))
 
 
 def over_floor(power: Floats, expected: Floats) -> Floats | None:

@@ -7,8 +7,7 @@ the expected power of the line over the noise. The logarithm of the likelihood r
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import pi
 
 import numpy as np
@@ -29,6 +28,11 @@ Floats = NDArray[np.float64]
 _CLEAREST = 100.0  # [1] power over noise: a line that is expected to exceed it by more may be ten times weaker
 _MOST = 25.0  # [1] times the noise: no line of one run counts for more, so that a single one does not decide
 _FEWEST_BINS = 800  # of a spectrum whose noise is estimated from neighbours
+_SPEED_ERROR = 0.005  # [1] standard deviation of a speed that was estimated without an encoder, before its own lines
+_SIGMAS = 3.0  # [standard deviations] of the speed within which it is estimated
+_SPREAD = 0.5  # [bins] a line that the wander of the speed spreads by more has no sharp peak
+_LEAST_WANDER = 5e-4  # [1] of a speed without an encoder of which no wander is stated
+_FINER = 4  # points per bin: a line between two bins of a Hann window would lose a third of its power
 _BANDWIDTH = 1.5  # [bins] of noise under a Hann window
 
 
@@ -38,17 +42,21 @@ class OrderSpectrum:
 
     Parameters
     ----------
-    ratio : ndarray, shape (bins,)
+    ratio : ndarray, shape (points,)
         As an exponential variate [1], at most ``_MOST`` and smaller next to a stronger bin; NaN where a line is known.
     step : float
         [1/rev]
+    factors, log_weights : ndarray, shape (factors,)
+        Real speeds over the estimated one [1], and the logarithms of their probabilities by the known lines.
     """
 
     ratio: Floats
     step: float
+    factors: Floats = field(default_factory=lambda: np.ones(1))
+    log_weights: Floats = field(default_factory=lambda: np.zeros(1))
 
     def log_ratio(self, orders: Floats, expected: Floats) -> Floats:
-        """Return the log-likelihood ratio of lines at orders [1/rev] to none [nats].
+        """Return the log-likelihood ratio of lines at orders [1/rev] to none [nats], averaged over the factors.
 
         Parameters
         ----------
@@ -60,6 +68,11 @@ class OrderSpectrum:
         -------
         ndarray, shape (combs,)
         """
+        each = [log + self._at(orders * factor, expected)
+                for factor, log in zip(self.factors.tolist(), self.log_weights.tolist(), strict=True)]  # fmt: skip
+        return np.asarray(np.logaddexp.reduce(each, axis=0))
+
+    def _at(self, orders: Floats, expected: Floats) -> Floats:
         inside = orders < (self.ratio.size - 0.5) * self.step  # not those that a comb does not have, NaN
         x = self.ratio[np.rint(np.where(inside, orders, 0.0) / self.step).astype(int)]
         s = np.minimum(expected, _CLEAREST)
@@ -75,14 +88,17 @@ def expected_over_noise(run: MeasuredRun, orders: Floats, square: Floats, densit
 
 
 def order_spectrum(
-    run: MeasuredRun, *, fixed: Sequence[float], highest: float, density: Density
+    run: MeasuredRun, *, fixed: Floats, expected: Floats, highest: float, density: Density
 ) -> OrderSpectrum | None:
-    """Return the spectrum along orders; None where no angle was measured, or where the shaft turns back or too little.
+    """Return the spectrum along orders; None where the shaft turns back or too little, or nobody knows how it turned.
+
+    Without an encoder the angle is that of a constant speed. How far it is off is estimated by the known lines, and
+    only lines are compared that the wander of the speed does not spread over more than a bin.
 
     Parameters
     ----------
-    fixed : sequence of float
-        Orders of known lines [1/rev], which are left out.
+    fixed, expected : ndarray, shape (fixed,)
+        Orders of known lines [1/rev], which are left out, and their power over noise [1].
     highest : float
         Order up to which it is needed [1/rev].
     density : callable
@@ -90,29 +106,58 @@ def order_spectrum(
     """
     angle = np.sign(float(run.angle[-1] - run.angle[0])) * (run.angle - run.angle[0])
     turned = float(angle[-1])
-    # an angle that was not measured, and one between few pulses of a tacho, spreads lines over more than a bin
-    if not run.has_encoder or turned < 2 * pi * FEWEST_TURNS or (run.speed.min() < 0 < run.speed.max()):
+    known = run.has_encoder or run.is_steady
+    if not known or turned < 2 * pi * FEWEST_TURNS or (run.speed.min() < 0 < run.speed.max()):
         return None
     even = np.interp(np.linspace(0.0, turned, angle.size), np.maximum.accumulate(angle), run.torque)
     time = np.linspace(-1.0, 1.0, even.size)
     level = even - even.mean()
-    power = spectrum(level - time * float(level @ time) / float(time @ time), run.rate)
-    step = 2 * pi / turned
-    power = power[: max(int(highest / step) + 2, _FEWEST_BINS)]
-    frequency = np.arange(power.size) * run.rate / even.size
-    ratio = over_floor(power, density(frequency))
+    level = level - time * float(level @ time) / float(time @ time)
+    ratio = _over_floor(level, run.rate, max(int(highest * turned / (2 * pi)) + 2, _FEWEST_BINS), density)
     if ratio is None:
         return None
-    return OrderSpectrum(_at_peaks(ratio, [order / step for order in fixed]), step)
+    step = 2 * pi / turned / _FINER
+    value = _at_peaks(ratio)
+    if run.has_encoder:
+        return OrderSpectrum(_without(value, fixed / step), step)
+    value[int(_FINER * _SPREAD / max(run.wander, _LEAST_WANDER)) :] = np.nan
+    factors, weights = _factors(OrderSpectrum(value, step), fixed, expected)
+    return OrderSpectrum(_without(value, fixed * factors[int(np.argmax(weights))] / step), step, factors, weights)
 
 
-def _at_peaks(ratio: Floats, fixed: Sequence[float]) -> Floats:
+def _over_floor(level: Floats, rate: float, bins: int, density: Density) -> Floats | None:
+    """Return the power over noise of the first bins at ``_FINER`` points per bin; None where there are too few."""
+    power = spectrum(level, rate)[:bins]
+    ratio = over_floor(power, density(np.arange(power.size) * rate / level.size))
+    if ratio is None:
+        return None
+    floor = power / np.maximum(ratio, 1e-300)
+    fine = spectrum(level, rate, finer=_FINER)[: (power.size - 1) * _FINER + 1]
+    return np.asarray(fine / np.maximum(np.interp(np.arange(fine.size) / _FINER, np.arange(power.size), floor), 1e-300))
+
+
+def _factors(found: OrderSpectrum, fixed: Floats, expected: Floats) -> tuple[Floats, Floats]:
+    """Return factors of the speed, shape (factors,), and the logarithms of their probabilities by known lines."""
+    bins = int(np.flatnonzero(np.isfinite(found.ratio)).max(initial=0))
+    half = max(int(np.ceil(_SIGMAS * _SPEED_ERROR * bins)), 1)
+    off = np.linspace(-_SIGMAS * _SPEED_ERROR, _SIGMAS * _SPEED_ERROR, 2 * half + 1)
+    score = -0.5 * np.square(off / _SPEED_ERROR) + found.log_ratio((1 + off)[:, None] * fixed, expected)
+    return 1 + off, np.asarray(score - np.logaddexp.reduce(score))
+
+
+def _at_peaks(ratio: Floats) -> Floats:
     """Return the variate of each bin, times its share of the largest power nearby: next to a line there is no other."""
     from scipy.ndimage import maximum_filter1d
 
-    share = ratio / np.maximum(maximum_filter1d(ratio, 2 * int(NEAR) + 1), 1e-300)
+    share = ratio / np.maximum(maximum_filter1d(ratio, 2 * _FINER * int(NEAR) + 1), 1e-300)
     value = np.minimum(as_exponential(ratio), _MOST) * share
-    value[: int(NEAR)] = np.nan
-    for at in fixed:
-        value[max(int(at - NEAR), 0) : int(at + NEAR) + 2] = np.nan
+    value[: _FINER * int(NEAR)] = np.nan
     return np.asarray(value)
+
+
+def _without(value: Floats, places: Floats) -> Floats:
+    """Return the variates without those next to the bins of known lines."""
+    kept, reach = value.copy(), _FINER * NEAR
+    for at in places.tolist():
+        kept[max(int(np.ceil(at - reach)), 0) : max(int(np.floor(at + reach)) + 1, 0)] = np.nan
+    return kept

@@ -124,7 +124,9 @@ def _gains(stated: Reading, rig: Rig, stage: ToothedStage, pairs: Sequence[Pair]
             continue
         orders = lines.orders * np.exp(here @ lines.exponents.T)
         density = densities[row]
-        found = order_spectrum(seen.run, fixed=lines.fixed, highest=float(orders.max()), density=density)
+        fixed = expected_over_noise(seen.run, lines.fixed, lines.fixed_square, density)
+        highest = float(np.nanmax(orders, initial=0.0))
+        found = order_spectrum(seen.run, fixed=lines.fixed, expected=fixed, highest=highest, density=density)
         if found is not None:
             total += _ahead(found, orders, expected_over_noise(seen.run, lines.orders, lines.square, density))
     return total
@@ -142,7 +144,8 @@ class _Lines:
     orders: Floats
     square: Floats
     exponents: Floats
-    fixed: tuple[float, ...]
+    fixed: Floats
+    fixed_square: Floats
 
 
 def _moving(rig: Rig, stage: ToothedStage, row: int, stated: Reading) -> _Lines | None:
@@ -169,7 +172,7 @@ def _moving(rig: Rig, stage: ToothedStage, row: int, stated: Reading) -> _Lines 
     moves = np.abs(exponents).max(axis=1) > _FIXED
     if not moves.any():
         return None
-    return _Lines(orders[moves], square[moves], exponents[moves], tuple(orders[~moves].tolist()))
+    return _Lines(orders[moves], square[moves], exponents[moves], orders[~moves], square[~moves])
 
 
 def _fault(best: _Candidate, near: Sequence[_Candidate]) -> SetupFault:
