@@ -1,7 +1,9 @@
 """Gain of the random load: what nobody knows of its spectrum, its strength and its dependence on the speed.
 
-The density that random loads make is multiplied by ``exp(sum_k u_k h_k(ln f) + v_r + e ln(w / w_r))``: h_k triangles
-over two octaves that add up to 1, u_k normal with ``SPECTRUM_SD``, the same in all runs; v_r of one run, normal with
+The density that random loads make is multiplied by ``exp(sum_k u_k h_k(ln f) - sum_k c_k ln(1 + (f / f_k)^4) + v_r +
+e ln(w / w_r))``: h_k triangles over two octaves that add up to 1, u_k normal with ``SPECTRUM_SD``; f_k an octave apart,
+c_k normal with ``CORNER_SD``. A load that ends at f_k as a second-order low-pass has c_k = 1. A sensor of this
+cutoff does the same, but to lines too. u_k and c_k are the same in all runs. v_r is that of one run, normal with
 ``RUN_SD``; e the same in all runs, normal with ``EXPONENT_SD``, w the speed of a segment and w_r the largest one of its
 run. The variance that slow loads leave in the levels is multiplied by ``exp(v_r + s)``, s the same in all runs, normal
 with ``SLOW_SD``: what a load does in a second says little of what it does in a minute. A model discrepancy in the sense
@@ -23,6 +25,7 @@ from torquerig.inference.prediction.expected_run import ExpectedRun
 Floats = NDArray[np.float64]
 
 SPECTRUM_SD = 0.3  # [1] of the logarithm of the density: no load is known to better than 1.3 dB per octave pair
+CORNER_SD = 0.5  # [1] of the power of a second-order low-pass: above a corner a hit or a wake falls by f^2 more or less
 RUN_SD = 0.4  # [1] of the logarithm of the density in one run
 SLOW_SD = 1.0  # [1] of the logarithm of the variance of slow loads
 EXPONENT_SD = 2.0  # [1] of the exponent: turbulence goes with the fourth power of the speed, hits of grains with none
@@ -61,6 +64,9 @@ def gain_shapes(seen: RunFeatures, *, run: int, runs: Sequence[MeasuredRun]) -> 
     below = np.log2(0.5 * max(each.rate for each in runs) / bands.middle) / _OCTAVES
     at = np.minimum(below, _TRIANGLES - 1)  # slower still as there
     spectrum = SPECTRUM_SD * np.maximum(0.0, 1.0 - np.abs(at[:, None] - np.arange(_TRIANGLES)[None]))
+    corners = _corners(runs)
+    falls = -CORNER_SD * np.log1p((bands.middle[:, None] / corners[None]) ** 4)
+    spectrum = np.concatenate([spectrum, falls], axis=1)
     own = np.zeros(len(runs))
     own[run] = RUN_SD
     speed = np.abs(seen.speed)
@@ -74,6 +80,12 @@ def gain_shapes(seen: RunFeatures, *, run: int, runs: Sequence[MeasuredRun]) -> 
     ]
     levels = np.concatenate([np.zeros(spectrum.shape[1]), own, [0.0, SLOW_SD]])
     return GainShapes(np.concatenate(columns, axis=2), levels)
+
+
+def _corners(runs: Sequence[MeasuredRun]) -> Floats:
+    """Return frequencies [Hz] an octave apart, from a quarter of the largest sample rate down to the slowest band."""
+    highest, slowest = 0.5 * max(each.rate for each in runs), min(each.slowest for each in runs)
+    return np.asarray(highest * 0.5 ** np.arange(1, round(np.log2(highest / slowest))))
 
 
 def with_gains(model: ExpectedRun, shape: GainShapes, gains: Floats) -> ExpectedRun:
