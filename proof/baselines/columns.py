@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from proof.baselines.named_lines import BLADES, MAINS, TEETH
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import SAME_ORDER
+from torquerig.inference.places import SAME_ORDER
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Motor
 from torquerig.scenario.kinematics import kinematics_of

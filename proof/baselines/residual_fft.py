@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from proof.baselines.named_lines import NamedLine, named_lines
 from proof.baselines.verdict import Named, verdict
 from torquerig.diagnosis.engine import Outcome
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.observed import Observed
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
 

@@ -10,9 +10,9 @@ import pytest
 
 from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import order
 from torquerig.diagnosis.opening import _for_fits
 from torquerig.diagnosis.sample_findings import SampleFindings
+from torquerig.inference.places import order
 
 TURNED = np.arange(30_000) / 5000.0 * 100.0  # [rad] 6 s at 100 rad/s
 TORQUE = 1.0 + 0.1 * np.cos(3 * TURNED) + 0.01 * np.random.default_rng(1).standard_normal(TURNED.size)

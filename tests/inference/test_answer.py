@@ -10,8 +10,6 @@ import pytest
 
 from tests.inference.drawn_runs import drawn_run, steady
 from tests.inference.pump_bench import pump_scenario
-from torquerig.diagnosis.fitting.knobs import Knob
-from torquerig.diagnosis.looking.places import order
 from torquerig.errors import InputError
 from torquerig.inference.addition import Addition
 from torquerig.inference.answer import confidence as sure
@@ -20,7 +18,9 @@ from torquerig.inference.answer.rms import mean_square
 from torquerig.inference.engine import features_of, with_held_out
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.held_out import independent
+from torquerig.inference.knobs import Knob
 from torquerig.inference.likelihood import BAND, Residuals
+from torquerig.inference.places import order
 from torquerig.inference.prediction.expected_run import ExpectedRun
 
 CHOSEN, SAME = Addition(mechanism="gear_mesh", label="72"), Addition(mechanism="gear_mesh", label="36")

@@ -10,7 +10,7 @@ import pytest
 
 from tests.inference.drawn_runs import drawn_run, steady
 from tests.inference.pump_bench import pump_scenario
-from torquerig.diagnosis.fitting.knobs import Knob
+from torquerig.inference.knobs import Knob
 from torquerig.inference.readings.clock import rescaled, set_point, speed_factor
 from torquerig.inference.readings.induction_slip import slipped
 from torquerig.rig.parts.induction_drive import InductionDrive

@@ -7,11 +7,11 @@ import pytest
 
 from tests.inference.pump_bench import pump_scenario, recorded
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.addition import Addition
 from torquerig.inference.dropped import without_needless
 from torquerig.inference.engine import prepared
 from torquerig.inference.fit import fitted
+from torquerig.inference.knobs import Knob
 from torquerig.inference.model import Model
 
 DRIFT = Addition(

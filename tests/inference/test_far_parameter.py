@@ -7,9 +7,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.additions.far_parameter import propose
 from torquerig.inference.fit import Fit
+from torquerig.inference.knobs import Knob
 from torquerig.inference.likelihood import Discrepancy
 
 

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from tests.inference.drawn_runs import drawn_run, ramp, steady
-from torquerig.diagnosis.looking.places import frequency, order
 from torquerig.inference.features.line_search import search_lines
 from torquerig.inference.features.line_skirts import exceeds_surroundings
 from torquerig.inference.features.run_features import run_features
+from torquerig.inference.places import frequency, order
 
 NOISE, RATE = 0.1, 2000.0
 DENSITY = 2 * NOISE**2 / RATE  # one-sided density of white noise

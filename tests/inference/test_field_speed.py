@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from tests.inference.pump_bench import pump_scenario, simulated
-from torquerig.diagnosis.linear.field_speed import share_of_field
-from torquerig.diagnosis.looking.shaft_angle import shaft_angles
+from torquerig.inference.motor_angle.shaft_angle import shaft_angles
+from torquerig.linear_twin.field_speed import share_of_field
 from torquerig.mechanisms import TorqueRipple
 from torquerig.recordings.recording import Channel
 from torquerig.rig.parts.induction_drive import InductionDrive

@@ -7,12 +7,12 @@ import pytest
 
 from tests.inference.drawn_runs import drawn_run, ramp, steady
 from tests.inference.pump_bench import pump_scenario
-from torquerig.diagnosis.fitting.knobs import with_free_load
-from torquerig.diagnosis.looking.places import order
-from torquerig.diagnosis.side_by_side import side_by_side
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.fit import Data, fitted
+from torquerig.inference.knobs import with_free_load
 from torquerig.inference.parameters import parameters
+from torquerig.inference.places import order
+from torquerig.parallel import parallel_processes
 
 
 @pytest.fixture
@@ -25,7 +25,7 @@ def case(tmp_path):
 
 def test_two_processes_find_the_numbers_of_one(case):
     alone = fitted(*case, iterations=2)
-    with side_by_side(2):
+    with parallel_processes(2):
         shared = fitted(*case, iterations=2)
     assert len(alone.knobs) >= 12  # fewer are not worth a second process
     assert shared.log_evidence == alone.log_evidence

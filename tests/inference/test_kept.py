@@ -9,9 +9,9 @@ import pytest
 
 from tests.inference.drawn_runs import drawn_run, ramp, steady
 from tests.inference.pump_bench import pump_scenario
-from torquerig.diagnosis.looking.places import order
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.kept import MOST, Kept
+from torquerig.inference.places import order
 from torquerig.inference.prediction.expected_run import expected_run
 
 CHANGES = (

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from tests.inference.drawn_runs import drawn_run, ramp, steady
-from torquerig.diagnosis.looking.places import order
 from torquerig.inference.features.run_features import run_features
+from torquerig.inference.places import order
 
 NOISE, RATE = 0.1, 2000.0  # [N m], [Hz]
 

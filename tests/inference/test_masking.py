@@ -8,12 +8,12 @@ import pytest
 from tests.inference.drawn_runs import drawn_run, steady
 from tests.inference.pump_bench import pump_scenario
 from torquerig import mechanisms
-from torquerig.diagnosis.looking.places import order
 from torquerig.inference.additions.bearing_defect import refined
 from torquerig.inference.context import lacks
 from torquerig.inference.discrepancy import MEDIAN, SPREAD, estimated
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.fit import Data, fitted
+from torquerig.inference.places import order
 from torquerig.inference.prediction.expected_run import expected_run
 
 PLACES = [order(each) for each in (7.0, 9.0, 11.0, 13.0)]

@@ -7,8 +7,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.fit import Fit
+from torquerig.inference.knobs import Knob
 from torquerig.inference.likelihood import Discrepancy
 from torquerig.inference.one_number import without_priors
 

@@ -7,11 +7,11 @@ import pytest
 from tests.inference.drawn_runs import drawn_run, steady
 from tests.inference.pump_bench import pump_scenario
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob, with_free_load
-from torquerig.diagnosis.looking.places import order
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.fit import Data, fitted
+from torquerig.inference.knobs import Knob, with_free_load
 from torquerig.inference.parameters import parameters
+from torquerig.inference.places import order
 from torquerig.inference.refitted import refitted
 
 

@@ -10,9 +10,9 @@ import pytest
 
 from tests.inference.benches import FREE, bench, recorded
 from torquerig import mechanisms
-from torquerig.diagnosis.looking.places import order
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.measured_run import measured_runs
+from torquerig.inference.places import order
 from torquerig.inference.prediction.expected_run import expected_run
 
 SLOW, FAST = (

@@ -9,12 +9,12 @@ import pytest
 
 from tests.inference.pump_bench import pump_scenario
 from tests.scaled_rigs import Scale, scaled_rig
-from torquerig.diagnosis.looking.places import order
 from torquerig.inference.additions import proposals
 from torquerig.inference.context import Context
 from torquerig.inference.engine import prepared
 from torquerig.inference.features.line_search import FoundLine, search_lines
 from torquerig.inference.model_density import model_densities
+from torquerig.inference.places import order
 from torquerig.simulation.simulator import simulate
 
 

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from tests.inference.benches import FREE, bench
-from torquerig.diagnosis.linear.twin import Twin
-from torquerig.diagnosis.looking.places import order
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.measured_run import measured_runs
+from torquerig.inference.places import order
 from torquerig.inference.prediction.expected_run import expected_run
+from torquerig.linear_twin.twin import Twin
 from torquerig.simulation.simulator import simulate
 
 RATE, DURATION = 1000.0, 12.0  # [Hz], [s]

@@ -11,11 +11,11 @@ from tests.inference.pump_bench import SCENARIO
 from torquerig import mechanisms
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import edited
-from torquerig.diagnosis.linear.twin import Twin, passed
-from torquerig.diagnosis.looking.places import order
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.measured_run import measured_runs
+from torquerig.inference.places import order
 from torquerig.inference.prediction.expected_run import expected_run
+from torquerig.linear_twin.twin import Twin, passed
 from torquerig.recordings.recording import Channel
 from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.simulator import simulate

@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 
 from tests.inference.drawn_runs import drawn_run, ramp, steady
-from torquerig.diagnosis.looking.places import frequency, order
 from torquerig.inference.addition import Addition
 from torquerig.inference.features.line_search import FoundLine
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.fit import Data
+from torquerig.inference.places import frequency, order
 from torquerig.inference.search import FITTED, competes, most_promising, wins
 from torquerig.inference.undecided_lines import column_of, in_both_domains
 

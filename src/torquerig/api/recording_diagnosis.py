@@ -168,7 +168,7 @@ def diagnose(
     >>> [finding.mechanism for finding in answer.findings]
     ['mains_interference']
     """
-    from torquerig.diagnosis.side_by_side import side_by_side
+    from torquerig.parallel import parallel_processes
 
     made = scenario_from(scenario)
     read = [recording_from(one) for one in recordings]
@@ -176,6 +176,6 @@ def diagnose(
         raise InputError("a diagnosis needs at least one recording")
     if len({one.name for one in read}) < len(read):
         read = [replace(one, name=f"{place}: {one.name}") for place, one in enumerate(read, start=1)]
-    with side_by_side(workers or min(os.cpu_count() or 1, MOST_WORKERS)):
+    with parallel_processes(workers or min(os.cpu_count() or 1, MOST_WORKERS)):
         outcome = diagnosed(made, read, seed=seed, progress=progress)
     return Answer(scenario=made, outcome=outcome, seed=seed)

@@ -91,7 +91,7 @@ def command(
         return
     from torquerig.cli.progress import stages
     from torquerig.diagnosis.outcome import SCHEMA
-    from torquerig.diagnosis.side_by_side import side_by_side
+    from torquerig.parallel import parallel_processes
 
     target = model or _model_of(out)
     written = [(target, _MARK)] if target else []
@@ -102,7 +102,7 @@ def command(
     check_output_paths(written, inputs=(*recordings, *map(sidecar_path, recordings), scenario))
     made = read_scenario(edited(scenario, settings), catalog_for(scenario, catalogs), seed=seed)
     read = _read(recordings)
-    with stages("diagnose") as progress, side_by_side(workers or min(os.cpu_count() or 1, _MOST_WORKERS)):
+    with stages("diagnose") as progress, parallel_processes(workers or min(os.cpu_count() or 1, _MOST_WORKERS)):
         found = _ENGINES[engine](made, read, held_out, seed, progress)
     data = {**found.data}
     data["provenance"] = _provenance((*recordings, *map(sidecar_path, recordings), scenario), scenario, catalogs, seed)

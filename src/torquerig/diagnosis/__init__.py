@@ -2,7 +2,7 @@
 
 In the order in which rooms may use each other:
 
-linear/      the linear twin of a rig
+linear/      loads near standstill
 looking/     what recordings show                       expecting/   what a model says that they should
 fitting/     turning a model's numbers until it fits    case         where a diagnosis stands
 hypotheses/  how each mechanism would explain what is left          neutral/  descriptions that compete with names
@@ -13,8 +13,9 @@ beginning    the case that a search begins with, of the rig that fits where a ca
 diagnose     all of it in order
 motion/      rigs whose motion was measured, sample by sample       showing/  what a report shows
 
-Beside them: ``rig_under_test`` (are these runs of that rig), ``sheet_ratio`` (does a sheet state another gear
+Beside them: ``set_points`` (does a run turn as its sheet states), ``sheet_ratio`` (does a sheet state another gear
 ratio than the lines), ``sample_findings`` (faults of samples as effects),
 ``own_gap`` (one that a scenario states itself), ``free_names``, ``sentences``, ``null_table`` (least gains from
-clean rigs, by the scenario's content), and below them all ``side_by_side`` (independent fits on several processors).
+clean rigs, by the scenario's content). Angles, places, regression, knobs and the linear twin are those of the second
+engine: ``inference`` and ``linear_twin``.
 """

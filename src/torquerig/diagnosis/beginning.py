@@ -15,7 +15,6 @@ import numpy as np
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.choosing.search import excess
 from torquerig.diagnosis.choosing.trial import LEAST_GAIN
-from torquerig.diagnosis.fitting.knobs import unvaried, with_free_load
 from torquerig.diagnosis.free_names import with_free_names
 from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.observed import Observed
@@ -23,11 +22,13 @@ from torquerig.diagnosis.null_table import null_table, without_table
 from torquerig.diagnosis.opening import followed, opened
 from torquerig.diagnosis.outcome import Mismatch
 from torquerig.diagnosis.own_gap import OwnGap, closed
-from torquerig.diagnosis.rig_under_test import check_recordings, check_rig, off_set_points
 from torquerig.diagnosis.sample_findings import SampleFindings, sample_findings
 from torquerig.diagnosis.sentences import MECHANISMS
+from torquerig.diagnosis.set_points import off_set_points
 from torquerig.diagnosis.sheet_ratio import at_ratio_of, off_ratios
-from torquerig.diagnosis.side_by_side import of_each
+from torquerig.inference.knobs import unvaried, with_free_load
+from torquerig.inference.rig_under_test import check_recordings, check_rig
+from torquerig.parallel import parallel_map
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario
@@ -83,7 +84,7 @@ def begun(
     if not others:
         return drawn
     progress(f"testing {len(others)} other samples of the open catalog values")
-    left_by = of_each(lambda other: excess(_begun(other, recordings, lambda _: None).before), others)
+    left_by = parallel_map(lambda other: excess(_begun(other, recordings, lambda _: None).before), others)
     least = int(np.argmin(left_by))
     if left_by[least] >= excess(drawn.before) - LEAST_GAIN:
         return drawn

@@ -12,15 +12,15 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.expecting.expectation import expected
 from torquerig.diagnosis.fitting.calibration import Calibrated, misfits_of
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.fitting.misfit import Misfit, misfit_sum
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.from_zero import from_zero
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.peaks import Peak
-from torquerig.diagnosis.looking.places import SAME_ORDER, Place, order
 from torquerig.diagnosis.null_table import NullTable
+from torquerig.inference.knobs import Knob
+from torquerig.inference.places import SAME_ORDER, Place, order
+from torquerig.linear_twin.twin import Twin
 from torquerig.mechanisms import TorqueRipple
 from torquerig.rig.assembly import Part, Rig
 

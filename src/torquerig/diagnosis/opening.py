@@ -7,9 +7,7 @@ from dataclasses import replace
 
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.fitting.calibration import calibrated
-from torquerig.diagnosis.fitting.knobs import nuisance_knobs
 from torquerig.diagnosis.linear.loaded_part import loaded_part
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.combs import without_comb
 from torquerig.diagnosis.looking.common_tones import common_tones, lead_astray
 from torquerig.diagnosis.looking.features import Features, features
@@ -18,13 +16,15 @@ from torquerig.diagnosis.looking.lines_left import Strong, known_places, lines_l
 from torquerig.diagnosis.looking.notches import notches
 from torquerig.diagnosis.looking.observed import Observed, observed
 from torquerig.diagnosis.looking.peaks import Peak
-from torquerig.diagnosis.looking.places import Place
 from torquerig.diagnosis.looking.pulses_both_ways import lines_of_pulses
 from torquerig.diagnosis.looking.refilled import refilled
-from torquerig.diagnosis.looking.shaft_angle import shaft_angles
 from torquerig.diagnosis.looking.without_tones import less_tones
 from torquerig.diagnosis.sample_findings import SampleFindings
-from torquerig.diagnosis.side_by_side import of_each
+from torquerig.inference.knobs import nuisance_knobs
+from torquerig.inference.motor_angle.shaft_angle import shaft_angles
+from torquerig.inference.places import Place
+from torquerig.linear_twin.twin import Twin
+from torquerig.parallel import parallel_map
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
@@ -75,7 +75,7 @@ def opened(
     runs = tuple(refilled(run, lost, places) for run, lost in zip(runs, faults.lost, strict=True))
     fitted = _for_fits(runs, faults)
     looks = [(run, False) for run in fitted] + [(run, True) for run in runs]
-    found = of_each(lambda look: features(look[0], places, held=look[1], unknown=unknown), looks)
+    found = parallel_map(lambda look: features(look[0], places, held=look[1], unknown=unknown), looks)
     found = [replace(each, observed=run) for each, (run, _) in zip(found, looks, strict=True)]  # one run, not copies
     seen, held = tuple(found[: len(fitted)]), tuple(found[len(fitted) :])
     occupancies = [run.run.occupancy_percent or 0.0 for run in fitted]

@@ -6,11 +6,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import log10
 
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.orders_standing_out import chances_of_orders, taken_together, turns_of
 from torquerig.diagnosis.outcome import Mismatch
 from torquerig.errors import InputError, RecordingError, TorquerigError
+from torquerig.linear_twin.twin import Twin
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts.gear_stage import gear_stages

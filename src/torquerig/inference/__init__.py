@@ -1,6 +1,8 @@
 """Backwards, the second engine: one likelihood of features, nameless alternatives, held-out data as referee.
 
 sample_faults           samples at a limit, coarse codes and dropouts: named, mended or left out
+rig_under_test          whether the recordings can be runs of the rig
+motor_angle/            the angle of the motor in each run            places   an order or a frequency
 measured_run, blocks    a recording with its angle, cut where the speed changes; tacho_direction: which way it turned
 kept                    what was computed for a run and is required again
 features/               what recordings show: lines, bands, levels; and lines that no model has yet
@@ -8,6 +10,7 @@ prediction/             what a rig is expected to show
 likelihood              how likely features are under a model      load_spectrum   what nobody knows of a load
 discrepancy             how far a right model may be off           model_density   what a model expects between lines
 readings/               other readings of the samples: with a fact of the set-up corrected
+knobs                   parameters of parts that a fit may change
 parameters, fit         the nominal rig's numbers, their maximum of the posterior, and the evidence; moved_gain: slopes
 additions/, addition    hypotheses: nameless effects, numbers far off, mechanisms
 context, shafts, tones, one_size, gap_width    for them; undecided_lines: orders that may be frequencies

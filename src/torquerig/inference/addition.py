@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from torquerig.diagnosis.fitting.knobs import Knob
-from torquerig.diagnosis.looking.places import Place
+from torquerig.inference.knobs import Knob
+from torquerig.inference.places import Place
 from torquerig.rig.assembly import Part, Rig
 
 DECADE = float(np.log(10.0))  # standard deviation of the logarithm of an amplitude that nobody knows

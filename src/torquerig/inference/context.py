@@ -9,13 +9,13 @@ from math import inf, pi
 
 import numpy as np
 
-from torquerig.diagnosis.fitting.knobs import Knob
-from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.addition import DECADE, start_of
 from torquerig.inference.blocks import STANDSTILL
 from torquerig.inference.features.line_search import FoundLine
 from torquerig.inference.fit import Data, Fit, all_residuals
+from torquerig.inference.knobs import Knob
 from torquerig.inference.likelihood import BAND, floor_density
+from torquerig.inference.places import Place
 from torquerig.inference.prediction.expected_run import expected_run
 from torquerig.inference.shafts import Shaft, shafts_of, whole_order
 from torquerig.inference.undecided_lines import column_of

@@ -10,10 +10,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.addition import Addition
 from torquerig.inference.features.line_search import FoundLine
 from torquerig.inference.fit import Data
+from torquerig.inference.knobs import Knob
 from torquerig.inference.model import Model
 from torquerig.inference.refitted import refitted
 

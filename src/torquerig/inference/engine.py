@@ -5,23 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
-from torquerig.diagnosis.fitting.knobs import with_free_load
-from torquerig.diagnosis.linear.twin import Twin
-from torquerig.diagnosis.looking.places import Place, order
-from torquerig.diagnosis.rig_under_test import check_recordings, check_rig
 from torquerig.errors import InputError, RecordingError
 from torquerig.inference.addition import Addition
 from torquerig.inference.features.line_search import FoundLine, search_lines
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.fit import Data, Fit, fitted
+from torquerig.inference.knobs import with_free_load
 from torquerig.inference.measured_run import MeasuredRun, measured_runs
 from torquerig.inference.model import Model
 from torquerig.inference.model_density import model_densities
 from torquerig.inference.parameters import parameters
+from torquerig.inference.places import Place, order
 from torquerig.inference.readings import SET_POINT_ERROR, Reading, SetupFault, best_reading
+from torquerig.inference.rig_under_test import check_recordings, check_rig
 from torquerig.inference.sample_faults import sample_faults, usable_runs
 from torquerig.inference.search import searched
 from torquerig.inference.undecided_lines import in_both_domains
+from torquerig.linear_twin.twin import Twin
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario

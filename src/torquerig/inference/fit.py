@@ -8,16 +8,16 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.fitting.knobs import Knob, turned
-from torquerig.diagnosis.side_by_side import of_each
 from torquerig.errors import TorquerigError
 from torquerig.inference.discrepancy import estimated, is_near, log_prior
 from torquerig.inference.features.run_features import RunFeatures
+from torquerig.inference.knobs import Knob, turned
 from torquerig.inference.likelihood import Discrepancy, Residuals, log_density, residuals, weights
 from torquerig.inference.load_spectrum import GainShapes, gain_shapes, with_gains
 from torquerig.inference.measured_run import MeasuredRun
 from torquerig.inference.moved_gain import values_with_moved_gain
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
+from torquerig.parallel import parallel_map
 from torquerig.rig.assembly import Rig
 
 Floats = NDArray[np.float64]
@@ -256,7 +256,7 @@ def _slopes(
 
     columns = np.flatnonzero(~np.isfinite(slopes).all(axis=0)).tolist()
     many = sum(column < here.size for column in columns) >= _MANY
-    values = of_each(moved, columns) if many else [moved(column) for column in columns]
+    values = parallel_map(moved, columns) if many else [moved(column) for column in columns]
     for column, after in zip(columns, values, strict=True):
         slopes[:, column] = (after - value) / (sd * _STEP)
     at.made.clear()

@@ -7,12 +7,12 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.fit import Data, Fit
 from torquerig.inference.load_spectrum import with_gains
 from torquerig.inference.prediction.expected_run import ExpectedRun
 from torquerig.inference.prediction.skirts import skirts_of
+from torquerig.linear_twin.twin import Twin
 
 Floats = NDArray[np.float64]
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from torquerig.diagnosis.fitting.knobs import Knob
-from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.addition import DECADE, Addition, start_of
 from torquerig.inference.context import Context
+from torquerig.inference.knobs import Knob
+from torquerig.inference.places import Place
 from torquerig.rig.assembly import Part
 
 

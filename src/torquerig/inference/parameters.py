@@ -8,7 +8,7 @@ from typing import Any, get_args, get_type_hints
 
 import numpy as np
 
-from torquerig.diagnosis.fitting.knobs import Knob, nuisance_knobs
+from torquerig.inference.knobs import Knob, nuisance_knobs
 from torquerig.inference.measured_run import MeasuredRun
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Part, Rig

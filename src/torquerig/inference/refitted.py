@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.errors import TorquerigError
 from torquerig.inference.fit import Data, Fit, fitted
+from torquerig.inference.knobs import Knob
 
 
 def refitted(

@@ -9,8 +9,6 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.fitting.knobs import turned
-from torquerig.diagnosis.side_by_side import of_each
 from torquerig.errors import TorquerigError
 from torquerig.inference.addition import Addition
 from torquerig.inference.additions import proposals
@@ -20,12 +18,14 @@ from torquerig.inference.dropped import without_needless
 from torquerig.inference.features.line_search import FoundLine
 from torquerig.inference.fit import Data, Fit, all_residuals, fitted, hessian_of
 from torquerig.inference.held_out import held_out_density
+from torquerig.inference.knobs import turned
 from torquerig.inference.likelihood import log_density_of, weights
 from torquerig.inference.model import Model
 from torquerig.inference.one_number import without_priors
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
 from torquerig.inference.refitted import refitted
 from torquerig.inference.undecided_lines import column_of
+from torquerig.parallel import parallel_map
 from torquerig.rig.assembly import Rig
 
 Floats = NDArray[np.float64]
@@ -133,7 +133,7 @@ def _fitted(model: Model, data: Data, screened: Sequence[tuple[Addition, tuple[f
     """Return the most promising of the screened additions fitted together with the model."""
     chosen = most_promising([each for each, _ in screened], data)
     starts = {id(each): start for each, start in screened}
-    fits = of_each(lambda one: _together(model, data, one, starts[id(one)]), chosen)
+    fits = parallel_map(lambda one: _together(model, data, one, starts[id(one)]), chosen)
     return [together for together in fits if together is not None]
 
 

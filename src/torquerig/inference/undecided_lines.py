@@ -11,10 +11,10 @@ from math import pi
 
 import numpy as np
 
-from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.features.line_places import SEPARATE
 from torquerig.inference.features.line_search import FoundLine
 from torquerig.inference.features.run_features import RunFeatures
+from torquerig.inference.places import Place
 
 
 def in_both_domains(lines: Sequence[FoundLine], seen: Sequence[RunFeatures]) -> tuple[FoundLine, ...]:

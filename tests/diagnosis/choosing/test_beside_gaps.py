@@ -16,7 +16,7 @@ from torquerig.diagnosis.choosing.trial import Trial
 from torquerig.diagnosis.fitting.calibration import Calibrated
 from torquerig.diagnosis.fitting.misfit import Misfit
 from torquerig.diagnosis.looking.features import Features
-from torquerig.diagnosis.looking.places import order
+from torquerig.inference.places import order
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario
 

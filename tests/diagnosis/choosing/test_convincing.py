@@ -21,9 +21,9 @@ from torquerig.diagnosis.hypotheses import is_possible
 from torquerig.diagnosis.judging import leftover
 from torquerig.diagnosis.judging.leftover import detail_of
 from torquerig.diagnosis.looking.features import Features
-from torquerig.diagnosis.looking.places import order
 from torquerig.diagnosis.null_table import NullTable
 from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.places import order
 from torquerig.mechanisms import CommutationRipple, StribeckFriction, TorsionalMode
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario

@@ -9,8 +9,8 @@ from torquerig.diagnosis.case import Candidate
 from torquerig.diagnosis.choosing.equivalence import CHANCE, difference, equivalents
 from torquerig.diagnosis.choosing.trial import Trial
 from torquerig.diagnosis.fitting.calibration import Calibrated
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.fitting.misfit import Misfit
+from torquerig.inference.knobs import Knob
 from torquerig.scenario.model import Scenario
 
 NONE = np.zeros(0)

@@ -14,7 +14,7 @@ from torquerig.diagnosis.case import SLOW_TORQUE, Candidate
 from torquerig.diagnosis.choosing import screening
 from torquerig.diagnosis.choosing.screening import finalists
 from torquerig.diagnosis.choosing.trial import Trial
-from torquerig.diagnosis.looking.places import order
+from torquerig.inference.places import order
 
 
 @dataclass

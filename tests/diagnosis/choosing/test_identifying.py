@@ -11,8 +11,8 @@ import pytest
 from torquerig.diagnosis.case import Candidate, Case
 from torquerig.diagnosis.choosing.identifying import identifying
 from torquerig.diagnosis.fitting.calibration import Calibrated
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.outcome import Stated
+from torquerig.inference.knobs import Knob
 from torquerig.mechanisms import QuadraticDrag, StribeckFriction
 from torquerig.rig.assembly import Part
 from torquerig.scenario.model import Scenario

@@ -14,7 +14,7 @@ from torquerig.diagnosis.case import Candidate, Case
 from torquerig.diagnosis.choosing import numbers_held
 from torquerig.diagnosis.choosing.numbers_held import with_numbers_held
 from torquerig.diagnosis.fitting.calibration import Calibrated
-from torquerig.diagnosis.fitting.knobs import Knob, turned
+from torquerig.inference.knobs import Knob, turned
 from torquerig.mechanisms import QuadraticDrag
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario

@@ -8,7 +8,7 @@ import pytest
 from torquerig.diagnosis.case import Candidate
 from torquerig.diagnosis.choosing.possible import can_be, price_of_odd_numbers
 from torquerig.diagnosis.fitting.calibration import Calibrated
-from torquerig.diagnosis.fitting.knobs import Knob
+from torquerig.inference.knobs import Knob
 from torquerig.mechanisms import BearingDefect, CommutationRipple, StribeckFriction, TorsionalMode
 from torquerig.rig.assembly import Part
 from torquerig.scenario.model import Scenario

@@ -15,8 +15,8 @@ from torquerig.diagnosis.choosing.search import Tried
 from torquerig.diagnosis.choosing.trial import Trial
 from torquerig.diagnosis.expecting.correction import Correction
 from torquerig.diagnosis.fitting.calibration import Calibrated
-from torquerig.diagnosis.fitting.knobs import Knob
-from torquerig.diagnosis.looking.places import order
+from torquerig.inference.knobs import Knob
+from torquerig.inference.places import order
 from torquerig.mechanisms import Backlash, MainsInterference, PwmAliasing, QuadraticDrag
 from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.model import Scenario

@@ -11,7 +11,7 @@ from torquerig.diagnosis.fitting.misfit import Misfit
 from torquerig.diagnosis.hypotheses import cogging
 from torquerig.diagnosis.hypotheses.commutation_ripple import _by_its_skirts, propose
 from torquerig.diagnosis.looking.peaks import Peak
-from torquerig.diagnosis.looking.places import Place, order
+from torquerig.inference.places import Place, order
 from torquerig.mechanisms import Cogging, CommutationRipple
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Motor

@@ -12,11 +12,11 @@ import pytest
 from torquerig.diagnosis.expecting.chance_of_load import ChanceOfLoad
 from torquerig.diagnosis.expecting.expectation import expected
 from torquerig.diagnosis.expecting.simulated import expected_from
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.features import Features, features
 from torquerig.diagnosis.looking.observed import observed
-from torquerig.diagnosis.looking.places import order
-from torquerig.diagnosis.looking.shaft_angle import shaft_angles
+from torquerig.inference.motor_angle.shaft_angle import shaft_angles
+from torquerig.inference.places import order
+from torquerig.linear_twin.twin import Twin
 from torquerig.mechanisms import GearMesh, TorsionalMode
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Part, Rig

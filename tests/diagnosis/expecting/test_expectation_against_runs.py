@@ -12,12 +12,12 @@ import pytest
 from torquerig.diagnosis.choosing.trial import LEAST_GAIN
 from torquerig.diagnosis.expecting.expectation import expected
 from torquerig.diagnosis.fitting.misfit import misfit
-from torquerig.diagnosis.linear.quasi_static import quasi_static
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.features import Features, features
 from torquerig.diagnosis.looking.observed import observed
-from torquerig.diagnosis.looking.places import frequency, order
-from torquerig.diagnosis.looking.shaft_angle import ShaftAngle, shaft_angles
+from torquerig.inference.motor_angle.shaft_angle import ShaftAngle, shaft_angles
+from torquerig.inference.places import frequency, order
+from torquerig.linear_twin.quasi_static import quasi_static
+from torquerig.linear_twin.twin import Twin
 from torquerig.mechanisms import (
     BladePass,
     CommutationRipple,

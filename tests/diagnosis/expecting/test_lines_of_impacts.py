@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from torquerig.diagnosis.expecting.added_signals import added_signals
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import order
+from torquerig.inference.places import order
+from torquerig.linear_twin.twin import Twin
 from torquerig.mechanisms import BearingDefect
 from torquerig.scenario.model import Scenario
 

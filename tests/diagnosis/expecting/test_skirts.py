@@ -9,7 +9,7 @@ import pytest
 from scipy.signal import welch
 
 from torquerig.diagnosis.expecting.skirts import _straying
-from torquerig.diagnosis.linear.twin import Twin
+from torquerig.linear_twin.twin import Twin
 from torquerig.mechanisms import TorqueRipple
 from torquerig.scenario.model import Scenario
 from torquerig.simulation.simulator import simulate

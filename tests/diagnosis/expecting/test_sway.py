@@ -10,12 +10,12 @@ import pytest
 
 from torquerig.diagnosis.expecting.expectation import expected
 from torquerig.diagnosis.expecting.sway import Sway
-from torquerig.diagnosis.linear.quasi_static import quasi_static
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.features import Features, features
 from torquerig.diagnosis.looking.observed import observed
-from torquerig.diagnosis.looking.places import order
-from torquerig.diagnosis.looking.shaft_angle import ShaftAngle
+from torquerig.inference.motor_angle.shaft_angle import ShaftAngle
+from torquerig.inference.places import order
+from torquerig.linear_twin.quasi_static import quasi_static
+from torquerig.linear_twin.twin import Twin
 from torquerig.mechanisms import TorqueRipple
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig

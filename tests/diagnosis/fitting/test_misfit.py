@@ -14,7 +14,7 @@ from torquerig.diagnosis.expecting.expectation import Expectation, expected
 from torquerig.diagnosis.fitting.misfit import LINE_TOLERANCE, Misfit, misfit
 from torquerig.diagnosis.looking.features import Features, features
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import frequency, order
+from torquerig.inference.places import frequency, order
 from torquerig.scenario.model import Scenario
 
 RATE = 5000.0

@@ -12,7 +12,7 @@ import pytest
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.hypotheses import blade_pass, cogging, commutation_ripple, gear_mesh
 from torquerig.diagnosis.looking.peaks import Peak
-from torquerig.diagnosis.looking.places import order
+from torquerig.inference.places import order
 from torquerig.scenario.model import Scenario
 
 

@@ -10,7 +10,7 @@ import pytest
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.hypotheses import pwm_aliasing
 from torquerig.diagnosis.looking.peaks import Peak
-from torquerig.diagnosis.looking.places import frequency
+from torquerig.inference.places import frequency
 
 
 @pytest.mark.parametrize(("tone", "proposed"), [(49.98, False), (60.05, False), (50.4, True), (777.0, True)])

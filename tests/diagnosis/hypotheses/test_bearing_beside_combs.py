@@ -10,7 +10,7 @@ import pytest
 
 from torquerig.diagnosis.hypotheses.bearing_defect import _of_a_comb
 from torquerig.diagnosis.looking.impacts import Impact
-from torquerig.diagnosis.looking.places import frequency
+from torquerig.inference.places import frequency
 
 if TYPE_CHECKING:
     from torquerig.diagnosis.case import Case

@@ -11,9 +11,9 @@ import numpy as np
 from torquerig.diagnosis.case import SLOW_TORQUE, Case, missed_lines
 from torquerig.diagnosis.choosing.screening import finalists
 from torquerig.diagnosis.choosing.trial import Trial
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.hypotheses import blade_pass
-from torquerig.diagnosis.looking.places import frequency, order
+from torquerig.inference.knobs import Knob
+from torquerig.inference.places import frequency, order
 
 
 def test_half_as_many_are_fitted_beside_those_of_the_line_that_shows(with_lines_left: Callable[..., Case]) -> None:

@@ -10,7 +10,7 @@ import pytest
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.hypotheses import mains_interference
 from torquerig.diagnosis.looking.peaks import Peak
-from torquerig.diagnosis.looking.places import frequency
+from torquerig.inference.places import frequency
 from torquerig.mechanisms import MainsInterference
 
 FIRST = Peak(frequency(49.99), 150.0, ("run.parquet",), 2)

@@ -13,7 +13,7 @@ from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.hypotheses import bearing_defect
 from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import order
+from torquerig.inference.places import order
 from torquerig.scenario.model import Scenario
 
 RATE, LENGTH, SPEED, IMPACTS, RING = 10_000.0, 10.0, 95.0, 3.58, 1350.0

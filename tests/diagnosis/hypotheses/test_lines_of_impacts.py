@@ -13,7 +13,7 @@ from torquerig.diagnosis.hypotheses.fixed_lines import doubtful_lines, fixed_lin
 from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.peaks import Peak
-from torquerig.diagnosis.looking.places import frequency, order
+from torquerig.inference.places import frequency, order
 from torquerig.mechanisms import BearingDefect
 from torquerig.scenario.model import Scenario
 

@@ -8,7 +8,7 @@ import pytest
 
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.hypotheses import cogging, commutation_ripple
-from torquerig.diagnosis.looking.places import order
+from torquerig.inference.places import order
 
 
 @pytest.mark.parametrize(("line", "dearer"), [(42.0, False), (14.0, False), (60.0, True), (36.0, True)])

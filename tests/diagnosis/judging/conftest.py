@@ -10,7 +10,7 @@ import pytest
 from torquerig.diagnosis.looking.features import Features, features
 from torquerig.diagnosis.looking.lines_left import known_places
 from torquerig.diagnosis.looking.observed import observed
-from torquerig.diagnosis.looking.shaft_angle import shaft_angles
+from torquerig.inference.motor_angle.shaft_angle import shaft_angles
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.model import Scenario

@@ -11,8 +11,8 @@ import pytest
 from torquerig.diagnosis.beginning import begun
 from torquerig.diagnosis.case import Candidate, Case
 from torquerig.diagnosis.judging.combined_lines import may_be_combined
-from torquerig.diagnosis.looking.places import Place, order
 from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.places import Place, order
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.model import Scenario
 

@@ -15,7 +15,7 @@ from torquerig.diagnosis.fitting.misfit import Misfit
 from torquerig.diagnosis.judging.leftover import mismatches
 from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import Place, frequency, order
+from torquerig.inference.places import Place, frequency, order
 from torquerig.mechanisms import BearingDefect
 from torquerig.scenario.model import Scenario
 

@@ -16,8 +16,8 @@ from torquerig.diagnosis.fitting.misfit import misfit_sum
 from torquerig.diagnosis.judging.fixed_after_all import looked_at_as_found
 from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import frequency, order
 from torquerig.diagnosis.looking.steady_tone import steady_frequency
+from torquerig.inference.places import frequency, order
 from torquerig.mechanisms import PwmAliasing
 from torquerig.scenario.model import Scenario
 

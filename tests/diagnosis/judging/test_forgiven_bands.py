@@ -15,9 +15,9 @@ from torquerig.diagnosis.expecting.added_signals import rung_by
 from torquerig.diagnosis.expecting.expectation import expected
 from torquerig.diagnosis.fitting.misfit import BAND_TOLERANCE
 from torquerig.diagnosis.judging.forgiven_bands import forgiven
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.features import Features, features
 from torquerig.diagnosis.looking.observed import Observed
+from torquerig.linear_twin.twin import Twin
 from torquerig.mechanisms import BearingDefect
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario

@@ -9,7 +9,7 @@ import pytest
 
 from torquerig.diagnosis.judging.growing_lines import growing_lines
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import order
+from torquerig.inference.places import order
 
 RATE, SECONDS = 5000.0, 12.0
 PLACES = [order(at) for at in (1.0, 6.0, 7.0)]

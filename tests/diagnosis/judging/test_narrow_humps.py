@@ -18,7 +18,7 @@ from torquerig.diagnosis.judging import narrow_humps as humps
 from torquerig.diagnosis.judging.narrow_humps import _smeared_lines, narrow_humps
 from torquerig.diagnosis.looking.features import Features, features
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import order
+from torquerig.inference.places import order
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario
 

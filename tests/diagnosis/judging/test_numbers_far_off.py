@@ -11,8 +11,8 @@ import pytest
 
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.fitting.calibration import LIMIT
-from torquerig.diagnosis.fitting.knobs import HARDLY_ANY, Knob, turned
 from torquerig.diagnosis.judging.numbers_far_off import number_far_off
+from torquerig.inference.knobs import HARDLY_ANY, Knob, turned
 from torquerig.mechanisms import ParticleLoad, TorqueRipple
 from torquerig.scenario.model import Scenario
 

@@ -12,8 +12,8 @@ from torquerig.diagnosis.fitting.calibration import Calibrated
 from torquerig.diagnosis.judging.one_gain import one_gain
 from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import order
 from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.places import order
 from torquerig.scenario.model import Scenario
 
 RATE, LENGTH, SPEED = 2000.0, 12.0, 2 * np.pi * 25.0

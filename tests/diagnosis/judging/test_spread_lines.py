@@ -13,8 +13,8 @@ from torquerig.diagnosis.fitting.calibration import Calibrated
 from torquerig.diagnosis.judging.spread_lines import spread_line
 from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import order
 from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.places import order
 from torquerig.scenario.model import Scenario
 
 RATE, LENGTH, ORDER = 5000.0, 12.0, 7.25

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from torquerig.diagnosis.linear.quasi_static import quasi_static
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.linear.winding import wound_torque
+from torquerig.linear_twin.quasi_static import quasi_static
+from torquerig.linear_twin.twin import Twin
 from torquerig.mechanisms import BladePass, TorqueRipple
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario

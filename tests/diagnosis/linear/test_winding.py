@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from torquerig.diagnosis.linear.kernel import elastic_plastic
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.linear.winding import compliance, wound_torque
+from torquerig.linear_twin.twin import Twin
 from torquerig.mechanisms import StribeckFriction, TorqueRipple
 from torquerig.recordings.run import Run
 from torquerig.rig.parts import Coupling, Gear, TorqueSensor

@@ -6,7 +6,7 @@ import numpy as np
 
 from torquerig.diagnosis.looking.combs import without_comb
 from torquerig.diagnosis.looking.peaks import Peak
-from torquerig.diagnosis.looking.places import frequency, order
+from torquerig.inference.places import frequency, order
 
 
 def peak(at: float) -> Peak:

@@ -12,8 +12,8 @@ import pytest
 from torquerig.diagnosis.looking.common_tones import common_tones, lead_astray, tone_of
 from torquerig.diagnosis.looking.lines_left import known_places, lines_left
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import frequency, order
 from torquerig.diagnosis.opening import followed
+from torquerig.inference.places import frequency, order
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.model import Scenario
 

@@ -14,7 +14,7 @@ from torquerig.diagnosis.looking import flights as looking
 from torquerig.diagnosis.looking.flight_statistics import flight_misfit, flight_statistics
 from torquerig.diagnosis.looking.flights import CLEARLY, blows, flights, flights_counted
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.shaft_angle import ShaftAngle
+from torquerig.inference.motor_angle.shaft_angle import ShaftAngle
 from torquerig.mechanisms import Backlash
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.model import Scenario

@@ -12,7 +12,7 @@ from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.flights import CLEARLY, flights_counted
 from torquerig.diagnosis.looking.flights_beyond_lines import flights_beyond_lines
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import order
+from torquerig.inference.places import order
 
 RATE, SPEED, LENGTH = 25_000.0, 40.0, 6.0
 ByHand = Callable[..., Observed]

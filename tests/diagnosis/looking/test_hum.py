@@ -6,7 +6,7 @@ import pytest
 
 from torquerig.diagnosis.looking.hum import fundamental, harmonics_of, hum_places
 from torquerig.diagnosis.looking.peaks import Peak
-from torquerig.diagnosis.looking.places import frequency, order
+from torquerig.inference.places import frequency, order
 
 
 def line(at: float, excess: float = 100.0) -> Peak:

@@ -10,7 +10,7 @@ import pytest
 
 from torquerig.diagnosis.looking.impacts import _Beats, _fundamental, impact_orders
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import order
+from torquerig.inference.places import order
 
 RATE, LENGTH, RATIO = 10_000.0, 12.0, 5.0
 TIME = np.arange(int(RATE * LENGTH)) / RATE

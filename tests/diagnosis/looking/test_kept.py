@@ -11,7 +11,7 @@ import numpy as np
 from torquerig.diagnosis.looking.features import Features, features
 from torquerig.diagnosis.looking.kept import kept
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import order
+from torquerig.inference.places import order
 
 ByHand = Callable[..., Observed]
 

@@ -7,9 +7,9 @@ import pytest
 from scipy.signal import lfilter
 
 from torquerig.diagnosis.looking.leakage import leaked
-from torquerig.diagnosis.looking.places import frequency
-from torquerig.diagnosis.looking.regression import regressed
-from torquerig.diagnosis.looking.waves import Waves
+from torquerig.inference.features.regression import regressed
+from torquerig.inference.features.waves import Waves
+from torquerig.inference.places import frequency
 
 RATE, COUNT, AT = 5000.0, 2500, 600.0
 TIME = np.arange(COUNT) / RATE

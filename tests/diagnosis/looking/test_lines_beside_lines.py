@@ -10,10 +10,10 @@ import pytest
 
 from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import frequency, order
-from torquerig.diagnosis.looking.regression import regressed
 from torquerig.diagnosis.looking.smeared import gathered
-from torquerig.diagnosis.looking.waves import Waves
+from torquerig.inference.features.regression import regressed
+from torquerig.inference.features.waves import Waves
+from torquerig.inference.places import frequency, order
 
 RATE, SAMPLES = 2000.0, 24_000
 TIME = np.arange(SAMPLES) / RATE

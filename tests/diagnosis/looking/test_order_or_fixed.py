@@ -11,7 +11,7 @@ import pytest
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.order_or_fixed import DECIDED, evidence, may_be_fixed, rather_fixed
 from torquerig.diagnosis.looking.peaks import Peak
-from torquerig.diagnosis.looking.places import order
+from torquerig.inference.places import order
 from torquerig.scenario.model import Scenario
 
 RATE, SAMPLES, SPEED = 2000.0, 16_000, 1000 / 60 * 2 * pi

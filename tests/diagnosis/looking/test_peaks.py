@@ -13,7 +13,7 @@ import pytest
 from torquerig.diagnosis.looking.lines_left import lines_left
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.peaks import Peak, _as_a_whole, peaks
-from torquerig.diagnosis.looking.places import Place, frequency, order
+from torquerig.inference.places import Place, frequency, order
 from torquerig.scenario.model import Scenario
 
 RATE, SAMPLES = 2000.0, 16_000

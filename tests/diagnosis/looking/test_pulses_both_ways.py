@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import order
 from torquerig.diagnosis.looking.pulses_both_ways import lines_of_pulses, pulses_both_ways
+from torquerig.inference.places import order
 
 RATE, LENGTH, TURNS = 5000.0, 12.0, 0.2
 TIME = np.arange(int(RATE * LENGTH)) / RATE

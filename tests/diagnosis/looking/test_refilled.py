@@ -10,8 +10,8 @@ import numpy as np
 
 from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import order
 from torquerig.diagnosis.looking.refilled import refilled
+from torquerig.inference.places import order
 
 RATE, SAMPLES = 5000.0, 60_000
 ANGLE = 2 * pi * 16.7 * np.arange(SAMPLES) / RATE

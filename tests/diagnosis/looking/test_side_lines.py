@@ -10,8 +10,8 @@ import pytest
 from torquerig.diagnosis.looking.lines_left import lines_left
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.peaks import Peak
-from torquerig.diagnosis.looking.places import order
 from torquerig.diagnosis.looking.side_lines import without_side_lines
+from torquerig.inference.places import order
 from torquerig.scenario.model import Scenario
 
 RATE, SAMPLES = 4000.0, 48_000

@@ -12,8 +12,8 @@ from scipy.signal import lfilter
 
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.peaks import Peak
-from torquerig.diagnosis.looking.places import frequency, order
 from torquerig.diagnosis.looking.steady_tone import _share_in_line, sounds_all_along
+from torquerig.inference.places import frequency, order
 
 RATE, SAMPLES = 5000.0, 60_000
 TIME = np.arange(SAMPLES) / RATE

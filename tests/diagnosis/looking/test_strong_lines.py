@@ -12,7 +12,7 @@ import pytest
 from torquerig.diagnosis import opening
 from torquerig.diagnosis.looking.lines_left import Strong, lines_left, strong_lines
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.shaft_angle import shaft_angles
+from torquerig.inference.motor_angle.shaft_angle import shaft_angles
 from torquerig.mechanisms import BladePass, MainsInterference
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.model import Scenario

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import order
 from torquerig.diagnosis.looking.tone_frequency import told_frequency
+from torquerig.inference.places import order
 
 RATE, LENGTH, TONE = 5000.0, 12.0, 50.0108
 TIME = np.arange(int(RATE * LENGTH)) / RATE

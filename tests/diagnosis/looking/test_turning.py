@@ -13,9 +13,9 @@ from torquerig.diagnosis.expecting.simulated import expected_by_simulation
 from torquerig.diagnosis.fitting.misfit import misfit
 from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed, observed
-from torquerig.diagnosis.looking.places import frequency, order
-from torquerig.diagnosis.looking.shaft_angle import ShaftAngle
 from torquerig.diagnosis.looking.turning import Turning, turning, turns_back
+from torquerig.inference.motor_angle.shaft_angle import ShaftAngle
+from torquerig.inference.places import frequency, order
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.model import Scenario
 

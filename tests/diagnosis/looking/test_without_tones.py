@@ -10,8 +10,8 @@ import pytest
 
 from torquerig.diagnosis.looking.flights import CLEARLY, blows
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import frequency, order
 from torquerig.diagnosis.looking.without_tones import without_tones
+from torquerig.inference.places import frequency, order
 
 RATE, LENGTH = 5000.0, 8.0
 TIME = np.arange(int(RATE * LENGTH)) / RATE

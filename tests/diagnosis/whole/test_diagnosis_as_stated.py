@@ -14,10 +14,10 @@ from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder
 from torquerig.diagnosis.engine import Outcome, diagnose
 from torquerig.diagnosis.fitting.calibration import LIMIT, calibrated
-from torquerig.diagnosis.fitting.knobs import Knob, nuisance_knobs, turned
 from torquerig.diagnosis.judging.held_out import held_out
 from torquerig.diagnosis.outcome import as_json
 from torquerig.document import read_document
+from torquerig.inference.knobs import Knob, nuisance_knobs, turned
 from torquerig.mechanisms import GearMesh, TorqueRipple
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.model import Scenario

@@ -10,7 +10,7 @@ from scipy.signal import welch
 
 from torquerig.diagnosis.looking.observed import observed
 from torquerig.diagnosis.looking.refilled import refilled
-from torquerig.diagnosis.looking.shaft_angle import shaft_angles
+from torquerig.inference.motor_angle.shaft_angle import shaft_angles
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.moments import seams
 from torquerig.recordings.repair.time_base import broken_time

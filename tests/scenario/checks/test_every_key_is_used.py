@@ -15,9 +15,9 @@ import pytest
 
 from torquerig.catalog.reading import Catalog, load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
-from torquerig.diagnosis.fitting.knobs import nuisance_knobs
 from torquerig.document import Document, parse_document, read_document
 from torquerig.errors import TorquerigError
+from torquerig.inference.knobs import nuisance_knobs
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.rig.assembly import Rig
 from torquerig.rig.drive_train import driven_motor

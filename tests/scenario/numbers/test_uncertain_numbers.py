@@ -11,9 +11,9 @@ import pytest
 
 from torquerig.catalog.reading import Catalog, load_catalog
 from torquerig.catalog.shipped import shipped_folder
-from torquerig.diagnosis.fitting.knobs import Knob, nuisance_knobs, turned, unvaried
 from torquerig.document import parse_document
 from torquerig.errors import InputError
+from torquerig.inference.knobs import Knob, nuisance_knobs, turned, unvaried
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
 

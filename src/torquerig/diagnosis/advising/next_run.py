@@ -18,15 +18,15 @@ from torquerig.diagnosis.choosing.trial import Trial
 from torquerig.diagnosis.expecting.expectation import Expectation, expected
 from torquerig.diagnosis.expecting.simulated import expected_by_simulation
 from torquerig.diagnosis.fitting.calibration import Calibrated
-from torquerig.diagnosis.fitting.knobs import turned
 from torquerig.diagnosis.fitting.misfit import Misfit, misfit
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.features import Features, features
 from torquerig.diagnosis.looking.observed import Observed, observed
-from torquerig.diagnosis.looking.places import Place, frequency, order
-from torquerig.diagnosis.looking.shaft_angle import ShaftAngle
-from torquerig.diagnosis.side_by_side import of_each
 from torquerig.errors import SimulationError
+from torquerig.inference.knobs import turned
+from torquerig.inference.motor_angle.shaft_angle import ShaftAngle
+from torquerig.inference.places import Place, frequency, order
+from torquerig.linear_twin.twin import Twin
+from torquerig.parallel import parallel_map
 from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
@@ -69,7 +69,7 @@ def next_run(case: Case, rivals: Sequence[Trial]) -> Advice | None:
         return None
     menu, advised = candidate_runs(case.nominal, case.runs), list[Advice]()
     for few in (menu[at : at + _AT_A_TIME] for at in range(0, len(menu), _AT_A_TIME)):
-        advised += of_each(partial(_judged, case, rivals), few)
+        advised += parallel_map(partial(_judged, case, rivals), few)
         if any(one.distance >= CERTAIN for one in advised):
             break
     best = max(advised, key=lambda one: min(one.distance, CERTAIN), default=None)

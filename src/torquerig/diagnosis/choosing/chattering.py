@@ -12,7 +12,7 @@ from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.choosing.gap_fits import FittedGap, GapFits
 from torquerig.diagnosis.choosing.opened_gap import ARCMIN, flanks_may_part, opened
 from torquerig.diagnosis.fitting.calibration import Calibrated
-from torquerig.diagnosis.side_by_side import of_each
+from torquerig.parallel import parallel_map
 
 _WIDTHS = (1.5, 5.0, 15.0, 45.0)  # [arcmin] over what gaps in service are
 _ALIKE = 4.0  # of the misfit: 95 % of one number
@@ -26,11 +26,11 @@ def told_by_chatter(fits: GapFits) -> FittedGap | None:
 
     Each width is fitted roughly first, and on where that comes anywhere near.
     """
-    roughly = of_each(lambda width: fits.around(width * ARCMIN, derivatives=1), _WIDTHS)
+    roughly = parallel_map(lambda width: fits.around(width * ARCMIN, derivatives=1), _WIDTHS)
     hopeful = [rough for rough in roughly if max(unexplained(fits.case, rough.model), default=np.inf) < _HOPELESS]
     if not hopeful:
         return None
-    best = _of_like(fits.case, of_each(fits.better, hopeful))
+    best = _of_like(fits.case, parallel_map(fits.better, hopeful))
     return best if max(unexplained(fits.case, best.model)) < _LEFT else None
 
 

@@ -26,7 +26,7 @@ from torquerig.diagnosis.looking.from_zero import without_drift
 from torquerig.diagnosis.looking.near_zero import near_zero_misfit, near_zero_stays
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.without_tones import without_tones
-from torquerig.diagnosis.side_by_side import of_each
+from torquerig.parallel import parallel_map
 from torquerig.rig.assembly import Rig
 
 Floats = NDArray[np.float64]
@@ -109,7 +109,7 @@ class WithGaps:
         each = [opened(self.case, gap).added_to(rig) if gap else rig for gap in gaps for rig in self.rigs]
         runs = self.seen * len(gaps)
         copies = simulated_runs(each, runs, seeds=_SEEDS)
-        means = of_each(lambda pair: self._mean_of(*pair), list(zip(runs, copies, strict=True)))
+        means = parallel_map(lambda pair: self._mean_of(*pair), list(zip(runs, copies, strict=True)))
         return [means[at : at + len(self.rigs)] for at in range(0, len(means), len(self.rigs))]
 
     def _mean_of(self, seen: Features, copies: Sequence[Observed]) -> _Statistics:

@@ -13,7 +13,7 @@ import numpy as np
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.choosing.trial import LEAST_GAIN
 from torquerig.diagnosis.fitting.calibration import calibrated
-from torquerig.diagnosis.fitting.knobs import turned
+from torquerig.inference.knobs import turned
 
 
 def with_numbers_held(before: Case, found: Case) -> Case | None:

@@ -6,8 +6,8 @@ import numpy as np
 
 from torquerig.diagnosis.case import Candidate
 from torquerig.diagnosis.fitting.calibration import Calibrated
-from torquerig.diagnosis.fitting.knobs import turned
 from torquerig.diagnosis.hypotheses import is_likely, is_possible, told_loosely
+from torquerig.inference.knobs import turned
 from torquerig.rig.assembly import Rig
 
 _95 = 1.96

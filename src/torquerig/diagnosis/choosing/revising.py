@@ -18,8 +18,8 @@ from torquerig.diagnosis.choosing.possible import can_be
 from torquerig.diagnosis.choosing.search import Tried, extended, trials, unexplained
 from torquerig.diagnosis.choosing.trial import LEAST_GAIN, PER_KNOB, Trial
 from torquerig.diagnosis.fitting.calibration import Calibrated, calibrated
-from torquerig.diagnosis.looking.places import SAME_ORDER, Place
-from torquerig.diagnosis.side_by_side import of_each
+from torquerig.inference.places import SAME_ORDER, Place
+from torquerig.parallel import parallel_map
 
 _RIVALS = 0.02  # of an effect's gain
 _BESIDE_ANOTHER = 0.25  # of what another gains at the same line
@@ -168,7 +168,7 @@ def _without(first: Case, accepted: Sequence[Accepted], index: int) -> Case:
     def fitted(start: NDArray[np.float64]) -> Calibrated:
         return calibrated(rig, first.seen, knobs, start=start, corrections=corrections, jacobian=known)
 
-    model = min(of_each(fitted, (final.positions[rows], np.zeros(len(knobs)))), key=lambda each: each.cost)
+    model = min(parallel_map(fitted, (final.positions[rows], np.zeros(len(knobs)))), key=lambda each: each.cost)
     return replace(bare, model=model, left=unexplained(first.left, first, model), apart=None)
 
 

@@ -11,8 +11,8 @@ from torquerig.diagnosis.case import BENT, Candidate, Case
 from torquerig.diagnosis.choosing.explained import explained_share
 from torquerig.diagnosis.choosing.trial import PER_KNOB, Trial
 from torquerig.diagnosis.fitting.calibration import Calibrated, calibrated
-from torquerig.diagnosis.fitting.knobs import turned
 from torquerig.diagnosis.fitting.profiled import profiled_cost
+from torquerig.inference.knobs import turned
 
 _FINALISTS, _OTHERS = 5, 3  # at most, and of those that do not move the slow torque alike at least
 _WORTHWHILE = 0.25  # of the best screened gain: less is not caught up by fitting all numbers

@@ -17,13 +17,13 @@ from torquerig.diagnosis.choosing.screening import finalists, given_way_to, scre
 from torquerig.diagnosis.choosing.told_by_lines import spared
 from torquerig.diagnosis.choosing.trial import LEAST_GAIN, PER_KNOB, Trial
 from torquerig.diagnosis.fitting.calibration import Calibrated, calibrated
-from torquerig.diagnosis.fitting.knobs import turned
 from torquerig.diagnosis.hypotheses import proposers
 from torquerig.diagnosis.looking.peaks import Peak
-from torquerig.diagnosis.looking.places import Place
 from torquerig.diagnosis.neutral import descriptions
-from torquerig.diagnosis.side_by_side import of_each
 from torquerig.errors import SimulationError
+from torquerig.inference.knobs import turned
+from torquerig.inference.places import Place
+from torquerig.parallel import parallel_map
 from torquerig.rig.assembly import Rig
 
 MOST_EFFECTS = 3
@@ -60,7 +60,7 @@ def trials(
     """
     sources = (*proposers(case, among=among), descriptions)
     last_first = sources[::-1]  # they take longest
-    of_sources = of_each(lambda propose: [screened(case, candidate) for candidate in propose(case)], last_first)
+    of_sources = parallel_map(lambda propose: [screened(case, candidate) for candidate in propose(case)], last_first)
     tried = sorted((trial for each in reversed(of_sources) for trial in each), key=lambda trial: -trial.gain)
     last = [*finalists(tried), *given_way_to(case, tried)]
     last += stood_in_for(case, tried, last)
@@ -68,7 +68,7 @@ def trials(
     fitted = _one_of_a_kind(sorted(_fitted(case, last, near=near), key=lambda trial: -trial.gain))
     best = [trial for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN or _of_line(trial, fitted[0])]
     promising = [trial for trial in best if fitted[0].gain > LEAST_GAIN and trial.model.cost < near]
-    fitted[: len(promising)] = of_each(partial(_polished, case), promising)
+    fitted[: len(promising)] = parallel_map(partial(_polished, case), promising)
     gap_failed = False
     if simulated and gap_is_possible(case) and (flanks_fly(case) or not _cleared(case, fitted)):
         try:
@@ -142,11 +142,11 @@ def _fitted(case: Case, screened_trials: Sequence[Trial], *, near: float) -> lis
     that come near the best without it (in 62 rounds with 24 blind rigs of two effects no other came first), below the
     cost ``near``, and are not right yet.
     """
-    begun = of_each(partial(_from_here, case), screened_trials)
+    begun = parallel_map(partial(_from_here, case), screened_trials)
     enough = _CONTENDS * max((trial.gain for trial in begun), default=0.0)
     contend = [trial.gain > enough and trial.model.cost < near and not _fits_well(trial) for trial in begun]
     rows = np.flatnonzero(contend).tolist()
-    again = of_each(partial(_from_apart, case), [screened_trials[row] for row in rows])
+    again = parallel_map(partial(_from_apart, case), [screened_trials[row] for row in rows])
     for row, trial in zip(rows, again, strict=True):
         begun[row] = max(begun[row], trial, key=lambda one: one.gain)
     return begun

@@ -9,10 +9,10 @@ from math import pi
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.peaks import SHIFTED
+from torquerig.linear_twin.twin import Twin
 from torquerig.recordings.recording import Recording
 from torquerig.sensor_stages.drift import Drift
 from torquerig.sensor_stages.ringing import Ringing

@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 from scipy import fft
 
 from torquerig.diagnosis.expecting.expectation import Expectation
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.bands import bands, spectrum
 from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.stretch_lines import shown_places
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.assembly import Rig
 from torquerig.simulation.drawn_loads import drawn_loads
 

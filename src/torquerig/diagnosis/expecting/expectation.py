@@ -12,14 +12,14 @@ from torquerig.diagnosis.expecting.added_signals import added_signals, moving_ze
 from torquerig.diagnosis.expecting.rounding_noise import rounded_lines, rounding_density, rounding_tolerance
 from torquerig.diagnosis.expecting.skirts import skirts
 from torquerig.diagnosis.expecting.sway import Sway
-from torquerig.diagnosis.linear.quasi_static import quasi_static
-from torquerig.diagnosis.linear.twin import Twin, passed, sources
 from torquerig.diagnosis.linear.winding import wound_torque
 from torquerig.diagnosis.looking.features import POINTS, Features
-from torquerig.diagnosis.looking.places import frequency
-from torquerig.diagnosis.looking.regression import HANN_NOISE
 from torquerig.diagnosis.looking.route import Routes
 from torquerig.diagnosis.looking.turning import STEPS, Turning
+from torquerig.inference.features.regression import HANN_NOISE
+from torquerig.inference.places import frequency
+from torquerig.linear_twin.quasi_static import quasi_static
+from torquerig.linear_twin.twin import Twin, passed, sources
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Load
 from torquerig.sensor_stages.band_noise import BandNoise

@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 from torquerig.diagnosis.expecting.chance_of_load import ChanceOfLoad
 from torquerig.diagnosis.expecting.expectation import Expectation, amplitude_variance, expected, floor_of
 from torquerig.diagnosis.looking.features import Features, features
-from torquerig.diagnosis.looking.observed import Observed, speed_of
+from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.turning import turns_back
-from torquerig.diagnosis.side_by_side import of_each
+from torquerig.inference.motor_angle.smoothed_speed import speed_of
+from torquerig.parallel import parallel_map
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.samples_at_limit import rebuilt
 from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
@@ -115,7 +116,7 @@ def expected_from(rig: Rig, seen: Sequence[Features], copies: Sequence[Sequence[
     def of_run(row: int) -> Expectation:
         return _mean(rig, seen[row], copies[row])
 
-    return tuple(of_each(of_run, range(len(seen))))
+    return tuple(parallel_map(of_run, range(len(seen))))
 
 
 def _mean(rig: Rig, seen: Features, copies: Sequence[Observed]) -> Expectation:

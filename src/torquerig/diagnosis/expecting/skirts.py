@@ -8,9 +8,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.kept import kept
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.terms import Inertia
 
 Floats = NDArray[np.float64]

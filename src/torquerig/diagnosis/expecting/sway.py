@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from scipy.special import j0, j1
 
 from torquerig.diagnosis.expecting.skirts import FOLLOWED
-from torquerig.diagnosis.linear.twin import LineSource, Twin, passed, sources
 from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.side_lines import REACH
+from torquerig.linear_twin.twin import LineSource, Twin, passed, sources
 from torquerig.orders.angle.periodic_angle_error import SLOW
 
 Floats = NDArray[np.float64]

@@ -1,6 +1,6 @@
 """Turning a model's numbers until it fits.
 
-knobs          what may be turned                     misfit       how far features lie apart
+misfit       how far features lie apart
 calibration    a model with its numbers fitted        least_squares  steps whose derivatives are kept
 difference_quotients  several knobs stepped at once   profiled  what another rig would cost, before a fit
 """

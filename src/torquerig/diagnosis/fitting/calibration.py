@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.expecting.correction import Correction, corrected
 from torquerig.diagnosis.expecting.expectation import expected
-from torquerig.diagnosis.fitting.knobs import Knob, turned
 from torquerig.diagnosis.fitting.least_squares import minimum, weights
 from torquerig.diagnosis.fitting.misfit import BEND, Misfit, misfit, misfit_sum
 from torquerig.diagnosis.looking.features import Features
+from torquerig.inference.knobs import Knob, turned
 from torquerig.rig.assembly import Rig
 
 MOST_DERIVATIVES = 6  # sets of them

@@ -13,11 +13,11 @@ from math import pi
 
 from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate, Case
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.linear.loaded_part import loaded_part
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.impacts import Impact, impact_orders
-from torquerig.diagnosis.looking.places import Place
+from torquerig.inference.knobs import Knob
+from torquerig.inference.places import Place
+from torquerig.linear_twin.twin import Twin
 
 _AMPLITUDES = (0.003, 0.01, 0.03, 0.1, 0.3, 1.0)  # [N m]
 _ASIDE = (-0.4, -0.2, 0.0, 0.2, 0.4)  # octaves that the mode may stand off the middle of the band that beats

@@ -7,11 +7,11 @@ from dataclasses import replace
 
 from torquerig import mechanisms
 from torquerig.diagnosis.case import SLOW_TORQUE, Candidate, Case, bent_lines, left_line, line_factor, missed_lines
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.linear.loaded_part import loaded_part
-from torquerig.diagnosis.linear.twin import Twin
-from torquerig.diagnosis.looking.places import WHOLE_ORDER, Place
 from torquerig.diagnosis.looking.pulses_both_ways import pulses_both_ways
+from torquerig.inference.knobs import Knob
+from torquerig.inference.places import WHOLE_ORDER, Place
+from torquerig.linear_twin.twin import Twin
 
 _STRONGEST = 5
 _MISSED = 2  # of the rig's own lines

@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate, Case, left_line, line_factor
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.hypotheses.motor_orders import BY_SKIRTS, STRONG, cogging_orders, native_order
-from torquerig.diagnosis.looking.places import SAME_ORDER, Place, order
+from torquerig.inference.knobs import Knob
+from torquerig.inference.places import SAME_ORDER, Place, order
 from torquerig.rig.parts import Motor
 
 _START = 0.001  # [N m]

@@ -7,9 +7,9 @@ from dataclasses import replace
 
 from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate, Case, left_line, line_factor, missed_lines
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.hypotheses.motor_orders import BY_SKIRTS
-from torquerig.diagnosis.looking.places import SAME_ORDER, WHOLE_ORDER, Place, order
+from torquerig.inference.knobs import Knob
+from torquerig.inference.places import SAME_ORDER, WHOLE_ORDER, Place, order
 from torquerig.rig.assembly import Part
 from torquerig.rig.parts import Motor
 

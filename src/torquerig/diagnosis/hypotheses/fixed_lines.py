@@ -8,8 +8,8 @@ from dataclasses import replace
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.judging.own_lines import of_impacts
 from torquerig.diagnosis.looking.peaks import Peak
-from torquerig.diagnosis.looking.places import frequency
 from torquerig.diagnosis.looking.steady_tone import sounds_all_along, steady_frequency
+from torquerig.inference.places import frequency
 
 
 def doubtful_lines(case: Case) -> Iterator[Peak]:

@@ -8,9 +8,9 @@ from math import log
 
 from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate, Case, left_line, line_factor
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.hypotheses.motor_orders import STRONG, cogging_orders
-from torquerig.diagnosis.looking.places import SAME_ORDER, WHOLE_ORDER, order
+from torquerig.inference.knobs import Knob
+from torquerig.inference.places import SAME_ORDER, WHOLE_ORDER, order
 from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Motor
 from torquerig.rig.parts.gear_stage import GearStage, gear_stages

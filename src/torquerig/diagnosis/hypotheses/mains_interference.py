@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate, Case
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.hypotheses.fixed_lines import fixed_lines
 from torquerig.diagnosis.looking.hum import ALWAYS, fundamental, harmonics_of
+from torquerig.inference.knobs import Knob
 from torquerig.recordings.repair.mains_hum import GRIDS
 
 _START = 2e-3  # [V]

@@ -9,10 +9,10 @@ import numpy as np
 
 from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate, Case
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.hypotheses.fixed_lines import doubtful_lines, fixed_lines
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.peaks import Peak
+from torquerig.inference.knobs import Knob
+from torquerig.linear_twin.twin import Twin
 from torquerig.recordings.repair.mains_hum import GRIDS
 
 _PASSED = 0.02  # share of a torque on the loaded side that still reaches the reading

@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 
 from torquerig import mechanisms
 from torquerig.diagnosis.case import SLOW_TORQUE, Candidate, Case
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.linear.loaded_part import loaded_part
 from torquerig.diagnosis.looking.features import Features
+from torquerig.inference.knobs import Knob
 from torquerig.rig.assembly import Rig
 
 _STARTS = (1e-5, 1e-4, 1e-3)  # [N m s^2/rad^2]

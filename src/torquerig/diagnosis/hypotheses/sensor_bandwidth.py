@@ -8,8 +8,8 @@ import numpy as np
 
 from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate, Case
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.fitting.profiled import profiled_cost
+from torquerig.inference.knobs import Knob
 from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
 
 _LOWEST = 15.0  # [Hz]

@@ -11,10 +11,10 @@ from torquerig import mechanisms
 from torquerig.diagnosis.case import SLOW_TORQUE, Candidate, Case
 from torquerig.diagnosis.expecting.added_signals import zero_of
 from torquerig.diagnosis.expecting.expectation import expected
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.fitting.misfit import LEVEL_FLOOR
 from torquerig.diagnosis.hypotheses.beside_steps import price_beside_steps
-from torquerig.diagnosis.linear.twin import Twin
+from torquerig.inference.knobs import Knob
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.assembly import Part
 
 _CONSTANTS = (0.03, 0.06, 0.12, 0.25, 0.5, 1.0)  # of the longest recording

@@ -8,10 +8,10 @@ from itertools import product
 
 from torquerig import mechanisms
 from torquerig.diagnosis.case import SLOW_TORQUE, Candidate, Case
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.fitting.profiled import profiled_cost
 from torquerig.diagnosis.hypotheses.beside_steps import price_beside_steps
 from torquerig.diagnosis.linear.loaded_part import loaded_part
+from torquerig.inference.knobs import Knob
 from torquerig.rig.assembly import Part
 
 _COULOMB, _PEAKS, _SPEEDS = (0.03, 0.1, 0.3, 0.8), (1.1, 2.0), (0.3, 1.0, 3.0)  # [N m], [1], [rad/s]

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate, Case
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.fitting.profiled import profiled_cost
 from torquerig.diagnosis.linear.loaded_part import loaded_part
+from torquerig.inference.knobs import Knob
 from torquerig.rig.assembly import Part
 from torquerig.rig.parts import Body
 

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.case import Candidate, Case
 from torquerig.diagnosis.looking.features import Features
-from torquerig.diagnosis.looking.places import SAME_ORDER, Place
 from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.places import SAME_ORDER, Place
 
 _OF_THE_MOTOR = frozenset({"commutation_ripple", "cogging"})
 _MOST = 0.5  # of the runs that show the line and two others

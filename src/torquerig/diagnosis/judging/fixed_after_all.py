@@ -12,7 +12,7 @@ from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.fitting.calibration import misfits_of
 from torquerig.diagnosis.fitting.misfit import misfit_sum
 from torquerig.diagnosis.looking.features import Features, features
-from torquerig.diagnosis.looking.places import Place
+from torquerig.inference.places import Place
 
 _NEAR = 0.01  # of its frequency: the speed that turned it into an order may have been another run's
 

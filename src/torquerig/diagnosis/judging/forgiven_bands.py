@@ -9,8 +9,8 @@ from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.expecting.added_signals import rung_by
 from torquerig.diagnosis.expecting.expectation import expected
 from torquerig.diagnosis.fitting.misfit import BAND_TOLERANCE
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.features import Features
+from torquerig.linear_twin.twin import Twin
 
 Floats = NDArray[np.float64]
 

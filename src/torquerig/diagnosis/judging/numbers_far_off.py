@@ -15,9 +15,9 @@ from math import log10, pi
 
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.fitting.calibration import LIMIT
-from torquerig.diagnosis.fitting.knobs import HARDLY_ANY, Knob
 from torquerig.diagnosis.judging.chance import by_chance
 from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.knobs import HARDLY_ANY, Knob
 from torquerig.mechanisms import ParticleLoad
 
 _AT_LIMIT, _OF_LOAD = 0.97 * LIMIT, 6.0  # spreads

@@ -7,7 +7,7 @@ import numpy as np
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import SAME_ORDER, Place
+from torquerig.inference.places import SAME_ORDER, Place
 
 _LAW = 0.05  # of an effect's own line: no law of an effect tells its harmonics to better
 _NEAR = 0.02  # of the order of impacts, which slip by up to two per cent: so near to a multiple a line is theirs

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.judging.chance import by_chance
-from torquerig.diagnosis.looking.places import Place
 from torquerig.diagnosis.looking.spread_heights import (
     HIGHEST,
     LOWEST,
@@ -26,6 +25,7 @@ from torquerig.diagnosis.looking.spread_heights import (
     spread_heights,
 )
 from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.places import Place
 
 Floats = NDArray[np.float64]
 

@@ -1,7 +1,4 @@
-"""The linear twin of a rig: what its shafts pass on to the reading, and what they ask for while nothing vibrates.
+"""Loads near standstill, and the part that they act on; the linear twin is in ``torquerig.linear_twin``.
 
-transfer       shafts to reading, on a grid           twin         lines and load spectrum of a rig
-quasi_static   slow torque                            winding      the same near standstill
-kernel         its compiled part                      loaded_part  which part the load acts on
-field_speed    the slip of an induction motor
+winding   slow torque near standstill     kernel   its compiled part     loaded_part   which part the load acts on
 """

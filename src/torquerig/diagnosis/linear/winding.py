@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnosis.linear.kernel import elastic_plastic
-from torquerig.diagnosis.linear.quasi_static import dry_torque, shares_at_sensor, yielding_torque
-from torquerig.diagnosis.linear.twin import Twin
+from torquerig.linear_twin.quasi_static import dry_torque, shares_at_sensor, yielding_torque
+from torquerig.linear_twin.twin import Twin
 
 Floats = NDArray[np.float64]
 

@@ -1,8 +1,6 @@
 """What recordings show, before any model is asked; faults of samples are in ``recordings.repair``.
 
-shaft_angle     the motor's angle of each run          observed     a run made ready to compare
-places          an order or a frequency                waves        the waves of lines
-regression      lines of a stretch by least squares    smeared      lines of an angle that was not measured
+observed        a run made ready to compare             smeared      lines of an angle that was not measured
 bands           the spectrum beside the lines          turning      a run that turns back, block by block
 refilled        lines through moments without signal    value_features  how the values are spread
 features        the numbers of a run that are compared
@@ -12,7 +10,7 @@ side_lines      peaks that an uneven speed explains    combs        lines that a
 smeared_orders  lines too wide for a peak              common_tones   tones of one speed that pass for orders
 order_or_fixed  what a line of one speed may be        steady_tone  whether it sounds all along
 hum             where the mains stands                 impacts      beats of a ringing band
-without_tones   a run less its lines of fixed frequency    kernel    compiled loops
+without_tones   a run less its lines of fixed frequency
 flights         flanks that part and meet              near_zero    how long the torque stays near zero
 flights_beyond_lines   flights that no waves make      flight_statistics   what flights tell of the gap
 as_well_known   a simulated run with its angle known no better than the recording's
@@ -22,5 +20,4 @@ spread_heights  the power of a hertz or two over that on both sides
 notches         narrow ones that all runs have at one frequency
 leakage         of slow noise into fast lines          from_zero    a run whose zero has not drifted
 pulses_both_ways   in how many pulses a turn a load comes
-own_factor      how far off the set-point of one moving run is
 """

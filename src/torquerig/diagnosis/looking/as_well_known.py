@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 from scipy.signal import butter, sosfiltfilt
 
-from torquerig.diagnosis.looking.observed import Observed, speed_of
+from torquerig.diagnosis.looking.observed import Observed
+from torquerig.inference.motor_angle.smoothed_speed import speed_of
 
 _FOLLOWED = 1.0  # [Hz] up to which lines of the torque, or a simulated set-point, tell how the shaft turned
 _SETTLED = 2.0  # periods of that, over which the filter begins and ends

@@ -15,8 +15,8 @@ import numpy as np
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.order_or_fixed import ONE_SPEED
 from torquerig.diagnosis.looking.peaks import LEADING, over_floor
-from torquerig.diagnosis.looking.places import Place, frequency
 from torquerig.diagnosis.looking.steady_tone import spectrum_of_seen
+from torquerig.inference.places import Place, frequency
 from torquerig.orders.angle.comb_score import comb_score, noise_floor_at, order_power
 from torquerig.recordings.spectrum import between_bins
 

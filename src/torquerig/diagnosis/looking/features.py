@@ -13,11 +13,12 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.looking.bands import bands, no_bands, spectrum
 from torquerig.diagnosis.looking.observed import Observed, Stretch
-from torquerig.diagnosis.looking.places import RESOLVED, RESOLVED_WELL, SAME_ORDER, Place, order
-from torquerig.diagnosis.looking.route import Route, Routes, hann_transform
+from torquerig.diagnosis.looking.route import Route, Routes
 from torquerig.diagnosis.looking.stretch_lines import StretchLines, stretch_lines
 from torquerig.diagnosis.looking.turning import Turning, turning, turns_back
 from torquerig.diagnosis.looking.without_tones import without_tones
+from torquerig.inference.features.regression import hann_transform
+from torquerig.inference.places import RESOLVED, RESOLVED_WELL, SAME_ORDER, Place, order
 
 Floats = NDArray[np.float64]
 

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.quasi_static import behind_sensor
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.observed import Observed
+from torquerig.linear_twin.quasi_static import behind_sensor
+from torquerig.linear_twin.twin import Twin
 from torquerig.recordings.repair.robust_spread import spread_about_zero
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Inertia

@@ -11,8 +11,8 @@ from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.flights import blows, flights_counted, noise_of
 from torquerig.diagnosis.looking.kept import kept
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.regression import regressed
-from torquerig.diagnosis.looking.waves import Waves
+from torquerig.inference.features.regression import regressed
+from torquerig.inference.features.waves import Waves
 
 _SAME = 4e-3  # [s] so near to a blow one that the lines make is the same
 _AT_ONE_ANGLE = 1e-3  # [s] within which, turn after turn, a wave repeats; how flanks meet hangs on all that was before

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from torquerig.diagnosis.looking.peaks import Peak
-from torquerig.diagnosis.looking.places import Place, frequency
+from torquerig.inference.places import Place, frequency
 from torquerig.recordings.repair.mains_hum import GRIDS, TOLERANCE
 
 ALWAYS = (1, 2, 3)  # a hum has its first harmonics even where other lines hide them

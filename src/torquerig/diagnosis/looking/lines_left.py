@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.common_tones import common_tones, tone_of
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.order_or_fixed import (
@@ -19,10 +18,11 @@ from torquerig.diagnosis.looking.order_or_fixed import (
     rather_fixed,
 )
 from torquerig.diagnosis.looking.peaks import LEADING, SHIFTED, TOP_ORDER, Peak, peaks
-from torquerig.diagnosis.looking.places import SAME_ORDER, WHOLE_ORDER, Place, frequency, order
 from torquerig.diagnosis.looking.side_lines import without_side_lines
 from torquerig.diagnosis.looking.smeared_orders import smeared_orders
 from torquerig.diagnosis.looking.tone_frequency import told_frequency
+from torquerig.inference.places import SAME_ORDER, WHOLE_ORDER, Place, frequency, order
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
 

@@ -10,8 +10,9 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.looking.shaft_angle import ShaftAngle
 from torquerig.errors import RecordingError
+from torquerig.inference.motor_angle.shaft_angle import ShaftAngle
+from torquerig.inference.motor_angle.smoothed_speed import speed_of
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
 
@@ -19,7 +20,6 @@ UNMEASURED = 0.012  # an angle followed in the torque strays by so much from tur
 SHORTEST = 2.0  # [s] less holds no turn of a slow shaft and no spectrum of the load
 _STEADY_STRETCHES = 6  # the last third of a steady run is held out
 _TURNS_PER_STRETCH = 1.5  # of the output shaft, in a ramp: neighbouring orders can just be told apart
-_SPEED_WINDOW = 0.05  # [s]
 
 
 @dataclass(frozen=True)
@@ -154,14 +154,6 @@ def observed(recording: Recording, angle: ShaftAngle, *, ratio: float) -> Observ
         angle_measured=angle.measured,
         stretches=_stretches(run, angle.values, ratio=ratio),
     )
-
-
-def speed_of(angle: NDArray[np.float64], rate: float, *, window: float = _SPEED_WINDOW) -> NDArray[np.float64]:
-    """Return the speed [rad/s] at each sample of an angle [rad], as a mean over ``window`` [s]."""
-    reach = max(1, int(0.5 * window * rate))
-    at = np.arange(angle.size)
-    low, high = np.maximum(at - reach, 0), np.minimum(at + reach, angle.size - 1)
-    return np.asarray((angle[high] - angle[low]) / (high - low) * rate)
 
 
 def _stretches(run: Run, angle: NDArray[np.float64], *, ratio: float) -> tuple[Stretch, ...]:

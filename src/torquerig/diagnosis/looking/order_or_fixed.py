@@ -11,8 +11,8 @@ from scipy.signal import zoom_fft
 
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.peaks import Peak
-from torquerig.diagnosis.looking.places import SAME_ORDER, Place
 from torquerig.diagnosis.looking.steady_tone import steady_frequency
+from torquerig.inference.places import SAME_ORDER, Place
 from torquerig.orders.angle.speed_from_torque import motor_angle_from_torque
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import RESOLVED_WELL, Place, frequency, order
-from torquerig.diagnosis.looking.regression import regressed
 from torquerig.diagnosis.looking.stretch_lines import shown_places
-from torquerig.diagnosis.looking.waves import Waves
-from torquerig.diagnosis.side_by_side import of_each
+from torquerig.inference.features.regression import regressed
+from torquerig.inference.features.waves import Waves
+from torquerig.inference.places import RESOLVED_WELL, Place, frequency, order
+from torquerig.parallel import parallel_map
 from torquerig.recordings.spectrum import between_bins
 
 Floats = NDArray[np.float64]
@@ -90,7 +90,7 @@ def peaks(runs: Sequence[Observed], known: Sequence[Place]) -> tuple[Peak, ...]:
     runs of more different speeds, an order where both do.
     """
     steady = [run for run in runs if run.steady]
-    pairs = zip(of_each(lambda run: _spectrum(run, known), steady), steady, strict=True)
+    pairs = zip(parallel_map(lambda run: _spectrum(run, known), steady), steady, strict=True)
     spectra = [replace(spectrum, observed=run) for spectrum, run in pairs]  # one run, not copies
     candidates: dict[Place, None] = {}
     for spectrum in spectra:

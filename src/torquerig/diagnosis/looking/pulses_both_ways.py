@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.peaks import Peak
-from torquerig.diagnosis.looking.places import SAME_ORDER, Place, order
 from torquerig.diagnosis.looking.turning import orthonormal, turning, turns_back, waves_in_blocks
 from torquerig.diagnosis.looking.without_tones import without_tones
+from torquerig.inference.places import SAME_ORDER, Place, order
 
 Floats = NDArray[np.float64]
 

@@ -11,11 +11,11 @@ from dataclasses import replace
 import numpy as np
 
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import Place
-from torquerig.diagnosis.looking.regression import regressed
 from torquerig.diagnosis.looking.stretch_lines import shown_places
 from torquerig.diagnosis.looking.turning import turns_back
-from torquerig.diagnosis.looking.waves import Waves
+from torquerig.inference.features.regression import regressed
+from torquerig.inference.features.waves import Waves
+from torquerig.inference.places import Place
 from torquerig.recordings.repair.moments import Moments
 
 

@@ -67,8 +67,3 @@ def _in_turn(row: NDArray[np.int64], column: NDArray[np.int64]) -> tuple[NDArray
     for entry, place in enumerate(zip(row.tolist(), column.tolist(), strict=True)):
         rank[entry] = taken[place] = taken.get(place, -1) + 1
     return tuple(np.flatnonzero(rank == each) for each in range(rank.max(initial=-1) + 1))
-
-
-def hann_transform(bins: Floats) -> Floats:
-    """Return what a Hann window leaves of a line that stands so many bins beside the one looked for."""
-    return np.asarray(np.sinc(bins) + 0.5 * (np.sinc(bins - 1) + np.sinc(bins + 1)))

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.peaks import SHIFTED, Peak
-from torquerig.diagnosis.looking.places import SAME_ORDER, Place
+from torquerig.inference.places import SAME_ORDER, Place
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
 

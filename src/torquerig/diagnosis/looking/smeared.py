@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.looking.regression import HANN_NOISE
+from torquerig.inference.features.regression import HANN_NOISE
 
 Floats = NDArray[np.float64]
 

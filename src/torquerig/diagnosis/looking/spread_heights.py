@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from torquerig.diagnosis.looking.bands import Spectrum, spectrum
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.peaks import beside_lines
-from torquerig.diagnosis.looking.places import Place
+from torquerig.inference.places import Place
 
 Floats = NDArray[np.float64]
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.peaks import SHIFTED, Peak
-from torquerig.diagnosis.looking.places import Place, order
+from torquerig.inference.places import Place, order
 from torquerig.recordings.spectrum import between_bins
 
 Floats = NDArray[np.float64]

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.looking.leakage import leaked
 from torquerig.diagnosis.looking.observed import Observed, Stretch
-from torquerig.diagnosis.looking.places import RESOLVED, RESOLVED_WELL, Place
-from torquerig.diagnosis.looking.regression import regressed
 from torquerig.diagnosis.looking.smeared import WIDE, gathered
-from torquerig.diagnosis.looking.waves import Waves
+from torquerig.inference.features.regression import regressed
+from torquerig.inference.features.waves import Waves
+from torquerig.inference.places import RESOLVED, RESOLVED_WELL, Place
 
 Floats = NDArray[np.float64]
 

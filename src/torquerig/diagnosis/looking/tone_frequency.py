@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import Place
+from torquerig.inference.places import Place
 
 Floats = NDArray[np.float64]
 

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.places import Place
+from torquerig.inference.motor_angle import smoothed_speed
+from torquerig.inference.places import Place
 
 Floats = NDArray[np.float64]
 
@@ -77,7 +78,7 @@ class Turning:
 
 def turns_back(observed: Observed) -> bool:
     """Whether the motor runs both ways in this run."""
-    return float(observed.speed.min()) < -0.05 * float(np.abs(observed.speed).max()) < 0 < float(observed.speed.max())
+    return smoothed_speed.turns_back(observed.speed)
 
 
 def block_size(observed: Observed) -> int:

@@ -9,10 +9,10 @@ import numpy as np
 
 from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.motion.fitted import FittedMotion
 from torquerig.diagnosis.motion.lines import Line, lines_in
 from torquerig.diagnosis.motion.moved import Moved
+from torquerig.inference.knobs import Knob
 from torquerig.rig.imposed_part import imposed_part
 from torquerig.rig.parts import Motor
 

@@ -9,7 +9,6 @@ from functools import partial
 import numpy as np
 
 from torquerig.diagnosis.case import Candidate
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.motion import cogging, friction, friction_peak, gap, hum, others
 from torquerig.diagnosis.motion.evidence import gained, root_mean_square, samples_that_count
 from torquerig.diagnosis.motion.fitted import FittedMotion, fitted
@@ -18,7 +17,8 @@ from torquerig.diagnosis.motion.objections import LEAST_FALL, first_that_holds
 from torquerig.diagnosis.motion.pairs import pair_that_holds
 from torquerig.diagnosis.motion.places import mismatches
 from torquerig.diagnosis.motion.tried import Refused, Step, Tried
-from torquerig.diagnosis.side_by_side import of_each
+from torquerig.inference.knobs import Knob
+from torquerig.parallel import parallel_map
 from torquerig.rig.assembly import Rig
 
 MOST_EFFECTS = 3
@@ -80,12 +80,12 @@ def _tried(model: FittedMotion, base: Rig, own: Sequence[Knob], runs: Sequence[M
         return replace(_weighed(placed, made, model, runs), freed=True)
 
     alone: dict[tuple[str, str], Tried] = {}
-    for one in of_each(held, list(_proposals(model, runs))):
+    for one in parallel_map(held, list(_proposals(model, runs))):
         key = (one.candidate.mechanism, one.candidate.variant)
         if key not in alone or one.gain > alone[key].gain:
             alone[key] = one
     worth = _worthwhile(list(alone.values()))
-    found = [*of_each(freed, worth), *(one for one in alone.values() if one not in worth)]
+    found = [*parallel_map(freed, worth), *(one for one in alone.values() if one not in worth)]
     return _ranked(found, model, runs)
 
 

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.fitting.knobs import Knob, nuisance_knobs, unvaried
 from torquerig.diagnosis.motion.believed import believed
 from torquerig.diagnosis.motion.completing import completed
 from torquerig.diagnosis.motion.effort_told import Told, effort_told, limit_is_the_readings, with_codes
@@ -27,6 +26,7 @@ from torquerig.diagnosis.motion.sign_smoothed import knobs_of_the_sign
 from torquerig.diagnosis.motion.told import finding, relative_error
 from torquerig.diagnosis.motion.tried import Refused, Step
 from torquerig.diagnosis.outcome import Diagnosis, HeldOut, Mismatch, UsedRecording, Verdict, as_json
+from torquerig.inference.knobs import Knob, nuisance_knobs, unvaried
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.fitting.knobs import Knob, turned
 from torquerig.diagnosis.motion.evidence import root_mean_square, samples_that_count
 from torquerig.diagnosis.motion.moved import BAND, Mask, Moved
 from torquerig.diagnosis.motion.predicted import predicted
+from torquerig.inference.knobs import Knob, turned
 from torquerig.rig.assembly import Rig
 
 Floats = NDArray[np.float64]

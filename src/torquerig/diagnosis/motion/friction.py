@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.motion.fitted import FittedMotion
 from torquerig.diagnosis.motion.lines import moving
 from torquerig.diagnosis.motion.moved import Moved
+from torquerig.inference.knobs import Knob
 from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.imposed_part import imposed_part
 from torquerig.rig.parts import Body, Motor, Slide

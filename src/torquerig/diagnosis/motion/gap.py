@@ -8,9 +8,9 @@ import numpy as np
 
 from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.motion.fitted import FittedMotion
 from torquerig.diagnosis.motion.moved import Moved
+from torquerig.inference.knobs import Knob
 from torquerig.rig.parts import Gear, Link
 
 _GAPS = (0.01, 0.04, 0.12)  # of the stroke

@@ -8,11 +8,11 @@ import numpy as np
 
 from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.motion.evidence import root_mean_square
 from torquerig.diagnosis.motion.fitted import FittedMotion
 from torquerig.diagnosis.motion.hum_of_a_run import hums_of, sizes_in
 from torquerig.diagnosis.motion.moved import BAND, Moved
+from torquerig.inference.knobs import Knob
 
 _MAINS = (50.0, 60.0)  # [Hz]
 _NEAR = 2e-3  # of it: what grids keep, and what a run resolves

@@ -6,12 +6,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.motion.convincing import doubt_in, viscous_alone
 from torquerig.diagnosis.motion.evidence import LEAST_GAIN, root_mean_square
 from torquerig.diagnosis.motion.fitted import FittedMotion, fitted
 from torquerig.diagnosis.motion.moved import STRETCHES, Mask, Moved
 from torquerig.diagnosis.motion.tried import Refused, Tried
+from torquerig.inference.knobs import Knob
 from torquerig.rig.assembly import Rig
 
 LEAST_FALL = 0.03  # of the rms residual: a smaller gain is no physics worth naming

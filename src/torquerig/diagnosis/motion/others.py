@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.motion.fitted import FittedMotion
 from torquerig.diagnosis.motion.friction import STOOD_IN, carrier
 from torquerig.diagnosis.motion.moved import BAND, Moved
+from torquerig.inference.knobs import Knob
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Inertia
 

@@ -7,12 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.motion.evidence import gained, root_mean_square
 from torquerig.diagnosis.motion.fitted import FittedMotion, fitted
 from torquerig.diagnosis.motion.moved import Moved
 from torquerig.diagnosis.motion.objections import first_that_holds
 from torquerig.diagnosis.motion.tried import Step, Tried
+from torquerig.inference.knobs import Knob
 from torquerig.rig.assembly import Rig
 
 Beside = Callable[[FittedMotion, Rig, Sequence[Knob]], Sequence[Tried]]

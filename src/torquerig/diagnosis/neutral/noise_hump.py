@@ -9,9 +9,9 @@ import numpy as np
 from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate, Case
 from torquerig.diagnosis.expecting.expectation import expected
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.fitting.misfit import misfit
 from torquerig.diagnosis.looking.features import Features
+from torquerig.inference.knobs import Knob
 
 NAME = "noise_hump"
 _WIDTHS = (0.01, 0.05, 0.2)

@@ -9,11 +9,11 @@ from math import log, pi
 import numpy as np
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
-from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.addition import DECADE, Addition, Reported, free_name
 from torquerig.inference.context import SHARE_OF_SIGNAL, Context
 from torquerig.inference.features.impacts import Impact, search_impacts
+from torquerig.inference.knobs import Knob
+from torquerig.inference.places import Place
 from torquerig.inference.shafts import Shaft
 
 NAMES = ("bearing_defect",)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.addition import DECADE, Addition, Reported, free_name
 from torquerig.inference.context import Context, harmonics
+from torquerig.inference.knobs import Knob
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
 
 NAMES = ("bending_crosstalk",)

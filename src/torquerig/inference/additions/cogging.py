@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
-from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.addition import DECADE, Addition, Reported, free_name
 from torquerig.inference.context import Context, harmonics
+from torquerig.inference.knobs import Knob
+from torquerig.inference.places import Place
 from torquerig.rig.parts import Motor
 
 NAMES = ("cogging",)

@@ -7,9 +7,9 @@ from itertools import product
 from math import exp
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.addition import DECADE, Addition, Reported, free_name, start_of
 from torquerig.inference.context import Context
+from torquerig.inference.knobs import Knob
 from torquerig.rig.parts import Motor
 
 NAMES = ("eccentricity",)

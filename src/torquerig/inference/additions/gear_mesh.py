@@ -6,11 +6,11 @@ from collections.abc import Iterator, Sequence
 from math import prod
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
-from torquerig.diagnosis.linear.twin import Twin
-from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.addition import DECADE, Addition, Reported, free_name
 from torquerig.inference.context import Context, harmonics
+from torquerig.inference.knobs import Knob
+from torquerig.inference.places import Place
+from torquerig.linear_twin.twin import Twin
 from torquerig.orders.kinematics.belt import Belt
 from torquerig.orders.kinematics.teeth import Planetary, Spur
 from torquerig.orders.kinematics.worm import Worm

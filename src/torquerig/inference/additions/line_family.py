@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from math import log
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
-from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.addition import DECADE, Addition, free_name
 from torquerig.inference.context import Context, harmonics
+from torquerig.inference.knobs import Knob
+from torquerig.inference.places import Place
 from torquerig.inference.shafts import Shaft
 
 _WHOLE, _ANY = (

@@ -13,10 +13,10 @@ from itertools import combinations_with_replacement
 import numpy as np
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
-from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.addition import DECADE, Addition, free_name
 from torquerig.inference.context import Context, harmonics
+from torquerig.inference.knobs import Knob
+from torquerig.inference.places import Place
 from torquerig.inference.shafts import Shaft
 
 _LOG_ODDS = -2.0

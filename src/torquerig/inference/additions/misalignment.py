@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from torquerig import mechanisms
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.addition import Addition, Reported, free_name
 from torquerig.inference.context import Context
 from torquerig.inference.one_size import one_size
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.parts import Coupling
 
 NAMES = ("misalignment",)

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
-from torquerig.diagnosis.linear.twin import Twin
-from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.addition import DECADE, Addition, Reported, free_name, start_of
 from torquerig.inference.context import Context
+from torquerig.inference.knobs import Knob
+from torquerig.inference.places import Place
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.parts import Coupling
 
 NAMES = ("parallel_offset",)

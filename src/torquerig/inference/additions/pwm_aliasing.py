@@ -8,10 +8,10 @@ from math import log
 import numpy as np
 
 from torquerig import mechanisms
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.addition import Addition, Reported, free_name
 from torquerig.inference.context import Context
 from torquerig.inference.one_size import one_size
+from torquerig.linear_twin.twin import Twin
 
 NAMES = ("pwm_aliasing",)
 

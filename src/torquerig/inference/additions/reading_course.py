@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.addition import Addition, free_name
 from torquerig.inference.context import Context
+from torquerig.inference.knobs import Knob
 from torquerig.sensor_stages.course import Course, Shape
 
 Floats = NDArray[np.float64]

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.addition import DECADE, Addition, free_name
 from torquerig.inference.context import SHARE_OF_SIGNAL, Context
+from torquerig.inference.knobs import Knob
 
 _LOG_ODDS, _LOG_ODDS_WIDE = -6.0, -8.0  # wide noise is what nobody knows of a load, and sizes of the load follow first
 _STRONGEST = 4  # bands from which a hump is started

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.addition import Addition, Reported, free_name
 from torquerig.inference.context import Context
+from torquerig.inference.knobs import Knob
 from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
 
 NAMES = ("sensor_bandwidth",)

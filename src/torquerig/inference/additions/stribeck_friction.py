@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.addition import DECADE, Addition, Reported, free_name
 from torquerig.inference.context import Context
+from torquerig.inference.knobs import Knob
 
 NAMES = ("stribeck_friction",)
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from torquerig import mechanisms
-from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.addition import Addition, free_name
 from torquerig.inference.context import Context
 from torquerig.inference.one_size import one_size
+from torquerig.inference.places import Place
 from torquerig.inference.tones import tone
 
 _LOG_ODDS = -9.0  # anywhere on the search grid

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping
 from math import cos, pi
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.addition import DECADE, Addition, Reported, free_name
 from torquerig.inference.context import Context, harmonics
+from torquerig.inference.knobs import Knob
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.parts import Gear
 
 NAMES = ("tooth_mesh",)

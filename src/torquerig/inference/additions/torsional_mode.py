@@ -7,9 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.addition import Addition, Reported, free_name
 from torquerig.inference.context import Context
+from torquerig.inference.knobs import Knob
 from torquerig.rig.terms import Inertia
 
 NAMES = ("torsional_mode",)

@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.adequacy import Excess, JudgedRun
 from torquerig.inference.answer.numbers import digits
 from torquerig.inference.answer.significant import significant
@@ -17,6 +16,7 @@ from torquerig.inference.engine import Outcome
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.fit import all_residuals
 from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE, Residuals
+from torquerig.inference.places import Place
 from torquerig.inference.undecided_lines import column_of
 
 _ORDER_WIDTH, _TONE_WIDTH = 0.01, 1.0  # [1/rev], [Hz] to which the place of a line is reported

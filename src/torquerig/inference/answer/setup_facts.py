@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.addition import Addition
 from torquerig.inference.answer.confidence import ALIKE, alternatives, confidence
 from torquerig.inference.answer.numbers import MOST_SURE, digits, estimate
 from torquerig.inference.engine import Outcome
 from torquerig.inference.fit import Fit
+from torquerig.inference.knobs import Knob
 from torquerig.inference.readings import SetupFault
 
 _KIND_OF = {"scale": "sensor_scale", "zero": "sensor_zero"}  # fields of a sensor that are facts of the set-up

@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from torquerig.diagnosis.fitting.knobs import turned
 from torquerig.inference.addition import Addition
 from torquerig.inference.engine import Outcome
+from torquerig.inference.knobs import turned
 from torquerig.inference.prediction.expected_run import expected_run
 from torquerig.rig.assembly import Rig
 

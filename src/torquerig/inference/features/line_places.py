@@ -8,7 +8,7 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.looking.places import Place
+from torquerig.inference.places import Place
 
 Floats = NDArray[np.float64]
 

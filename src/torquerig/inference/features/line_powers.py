@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.looking.places import Place
-from torquerig.diagnosis.looking.regression import HANN_NOISE, regressed
-from torquerig.diagnosis.looking.waves import Waves
 from torquerig.inference.features.line_places import line_frequencies, shown_places
+from torquerig.inference.features.regression import HANN_NOISE, regressed
+from torquerig.inference.features.waves import Waves
 from torquerig.inference.measured_run import MeasuredRun
+from torquerig.inference.places import Place
 from torquerig.recordings.repair.moments import moments_of
 
 Floats = NDArray[np.float64]

@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import gammaincc
 
-from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.features.line_places import HIGHEST, line_frequencies
 from torquerig.inference.features.line_skirts import exceeds_surroundings
 from torquerig.inference.features.noise_ratios import NEAR, Density, NoiseRatios, measured_ratio, noise_ratios
 from torquerig.inference.measured_run import MeasuredRun
+from torquerig.inference.places import Place
 
 Floats = NDArray[np.float64]
 

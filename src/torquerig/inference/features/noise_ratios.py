@@ -9,10 +9,10 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.blocks import Block
 from torquerig.inference.features.line_powers import line_powers
 from torquerig.inference.measured_run import MeasuredRun
+from torquerig.inference.places import Place
 
 Floats = NDArray[np.float64]
 Density = Callable[[Floats], Floats]

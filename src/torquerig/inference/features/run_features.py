@@ -10,7 +10,6 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.blocks import STANDSTILL, Block, permitted_range
 from torquerig.inference.features.bands import Bands, bands
 from torquerig.inference.features.level_motion import level_motion
@@ -20,6 +19,7 @@ from torquerig.inference.features.segment import LineTable, Segment
 from torquerig.inference.features.side_lines import may_be_beside
 from torquerig.inference.kept import Kept
 from torquerig.inference.measured_run import MeasuredRun
+from torquerig.inference.places import Place
 
 Floats = NDArray[np.float64]
 

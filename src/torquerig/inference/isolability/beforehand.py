@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from torquerig.diagnosis.fitting.knobs import turned
 from torquerig.inference.context import Context
 from torquerig.inference.engine import Prepared
 from torquerig.inference.isolability.classes import Pair, inseparable
@@ -13,6 +12,7 @@ from torquerig.inference.isolability.limits import as_limit, best_by_mechanism, 
 from torquerig.inference.isolability.probes import hypotheses, probed
 from torquerig.inference.isolability.separating import separating_run
 from torquerig.inference.isolability.signatures import Projection, Signature
+from torquerig.inference.knobs import turned
 from torquerig.rig.assembly import Rig
 
 

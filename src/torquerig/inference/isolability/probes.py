@@ -7,7 +7,6 @@ from math import gcd, pi
 
 import numpy as np
 
-from torquerig.diagnosis.looking.places import RESOLVED_WELL, Place, frequency, order
 from torquerig.inference.addition import Addition
 from torquerig.inference.additions import proposals
 from torquerig.inference.context import Context
@@ -15,6 +14,7 @@ from torquerig.inference.engine import features_of
 from torquerig.inference.features.line_search import FoundLine
 from torquerig.inference.fit import Data, Fit, fitted
 from torquerig.inference.measured_run import MeasuredRun
+from torquerig.inference.places import RESOLVED_WELL, Place, frequency, order
 from torquerig.inference.shafts import shafts_of
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Motor

@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.fitting.knobs import Knob, turned
 from torquerig.errors import TorquerigError
 from torquerig.inference.addition import Addition
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.fit import Data, Fit, fitted
 from torquerig.inference.isolability.further_runs import FurtherRun, further_runs
+from torquerig.inference.knobs import Knob, turned
 from torquerig.inference.likelihood import Residuals, floor_density, residuals
 from torquerig.inference.load_spectrum import gain_shapes, with_gains
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run

@@ -13,11 +13,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.fitting.knobs import turned
 from torquerig.errors import TorquerigError
 from torquerig.inference.addition import DECADE, Addition, Reported
 from torquerig.inference.context import Context
 from torquerig.inference.fit import all_residuals
+from torquerig.inference.knobs import turned
 from torquerig.inference.prediction.expected_run import expected_run
 from torquerig.inference.search import LEAST_GAIN
 

@@ -9,8 +9,8 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.fitting.knobs import Knob, nuisance_knobs
 from torquerig.errors import InputError
+from torquerig.inference.knobs import Knob, nuisance_knobs
 from torquerig.inference.motion.fit import fitted
 from torquerig.inference.motion.fitted_model import Fit
 from torquerig.inference.motion.held_out import HeldOut, held_out

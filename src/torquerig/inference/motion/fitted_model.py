@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.fitting.knobs import turned
+from torquerig.inference.knobs import turned
 from torquerig.inference.motion.hypothesis import Model
 from torquerig.inference.motion.imposed_run import ImposedRun
 from torquerig.inference.motion.needed_effort import needed_effort

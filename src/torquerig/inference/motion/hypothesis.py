@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.fitting.knobs import Knob
+from torquerig.inference.knobs import Knob
 from torquerig.inference.motion.imposed_run import ImposedRun
 from torquerig.rig.assembly import Part, Rig
 

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.answer.numbers import MOST_SURE, TWO_SIDED, digits
+from torquerig.inference.knobs import Knob
 from torquerig.inference.motion.engine import MotionOutcome, sizes_of
 from torquerig.inference.motion.hypothesis import Hypothesis
 from torquerig.rig.reading_place import effort_unit

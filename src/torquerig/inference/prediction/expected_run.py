@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.prediction.gap_change import gap_change
 from torquerig.inference.prediction.kept_twin import clumping_of, level_balance, load_key, loads_of
@@ -19,6 +18,7 @@ from torquerig.inference.prediction.ringing import ringing_density
 from torquerig.inference.prediction.slow_lines import covariance_of_lines
 from torquerig.inference.prediction.slow_torque import covariance
 from torquerig.inference.prediction.speed_torque import profile_density, wander_at, wander_between
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.assembly import Rig
 from torquerig.sensor_stages.drift import Drift
 from torquerig.sensor_stages.scale_and_zero import ScaleAndZero

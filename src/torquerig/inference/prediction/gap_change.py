@@ -20,13 +20,13 @@ from math import log, pi
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.expecting.phased import with_phases_of
-from torquerig.diagnosis.linear.field_speed import share_of_field
-from torquerig.diagnosis.looking.observed import Observed, Stretch, speed_of
-from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.features.rests import near_zero, rests
 from torquerig.inference.features.run_features import RunFeatures, blocks_like, features_like, run_features
 from torquerig.inference.measured_run import MeasuredRun
+from torquerig.inference.motor_angle.smoothed_speed import speed_of
+from torquerig.inference.places import Place
+from torquerig.inference.prediction.line_phases import Samples, with_measured_phases
+from torquerig.linear_twin.field_speed import share_of_field
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Part, Rig
@@ -194,7 +194,7 @@ def _recordings(closed: Rig, part: Part, run: MeasuredRun) -> list[Recording]:
     """Return simulated runs, those of one seed together: without a gap, then with each width."""
     from torquerig.simulation.batch import simulate_batch
 
-    phased, rate = with_phases_of(closed, _observed(run), held=False), run.rate
+    phased, rate = with_measured_phases(closed, _samples(run)), run.rate
     at = phased.at(_of_field(phased, run))
     rigs = [at + replace(part, gap=width * ARCMIN) for width in (0.0, *WIDTHS)]  # type: ignore[call-arg]
     seeds = [_FRESH_SEED + one for one in range(_REPLICATES) for _ in rigs]
@@ -211,13 +211,12 @@ def _of_field(rig: Rig, run: MeasuredRun) -> Run:
     return replace(conditions, speed=conditions.speed / share_of_field(rig, conditions))
 
 
-def _observed(run: MeasuredRun) -> Observed:
-    """Return the run in the form in which phases of lines are measured."""
-    stretches = tuple(Stretch(block.start, block.stop, block.held_out) for block in run.blocks)
-    return Observed(
-        recording=run.recording, torque=run.torque, angle=run.angle, speed=run.speed, origin="", stretches=stretches,
-        angle_measured=run.has_encoder,
-    )  # fmt: skip
+def _samples(run: MeasuredRun) -> Samples:
+    """Return the samples in which the phases of lines are measured: those of the blocks that a fit may see."""
+    used = np.zeros(run.torque.size, dtype=bool)
+    for block in run.blocks:
+        used[block.samples] = not block.held_out
+    return Samples(run=run.run, rate=run.rate, torque=run.torque, angle=run.angle, speed=run.speed, used=used)
 
 
 def _as_measured(recording: Recording, run: MeasuredRun) -> MeasuredRun:

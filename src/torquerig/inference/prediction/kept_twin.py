@@ -7,11 +7,11 @@ from collections.abc import Hashable
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.quasi_static import OPPOSING, QuasiStatic, quasi_static
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.prediction.skirts import Skirts, skirts_of
 from torquerig.inference.prediction.wound_up import held_shares
+from torquerig.linear_twin.quasi_static import OPPOSING, QuasiStatic, quasi_static
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Load, Spring
 

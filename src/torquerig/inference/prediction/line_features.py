@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import spence
 
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.prediction.kept_twin import kept_skirts
 from torquerig.inference.prediction.line_routes import line_routes
 from torquerig.inference.prediction.rig_lines import SHIFT, rig_lines
 from torquerig.inference.prediction.skirts import core_of, density_of
 from torquerig.inference.prediction.slow_lines import UnshownLines
+from torquerig.linear_twin.twin import Twin
 
 Floats = NDArray[np.float64]
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.looking.route import hann_transform
+from torquerig.inference.features.regression import hann_transform
 from torquerig.inference.features.run_features import RunFeatures
 
 Floats = NDArray[np.float64]

@@ -7,8 +7,8 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.features.run_features import RunFeatures
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.assembly import Rig
 from torquerig.sensor_stages.band_noise import BandNoise
 from torquerig.sensor_stages.converter import Converter

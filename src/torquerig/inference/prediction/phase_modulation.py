@@ -18,9 +18,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.transfer import Response
-from torquerig.diagnosis.linear.twin import LineSource, Passage, Twin, passed
 from torquerig.inference.features.run_features import RunFeatures
+from torquerig.linear_twin.transfer import Response
+from torquerig.linear_twin.twin import LineSource, Passage, Twin, passed
 from torquerig.rig.terms import GROUND
 
 Floats = NDArray[np.float64]

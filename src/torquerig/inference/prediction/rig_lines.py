@@ -9,13 +9,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.twin import Twin, passed, sources
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.prediction.kept_twin import speed_balance
 from torquerig.inference.prediction.measuring_chain import crosstalk_lines, passed_by_logger
 from torquerig.inference.prediction.phase_modulation import side_lines
 from torquerig.inference.prediction.ringing import ringing_lines
 from torquerig.inference.prediction.swayed_response import swayed_lines
+from torquerig.linear_twin.twin import Twin, passed, sources
 from torquerig.sensor_stages.tone import Tone, folded
 
 Floats = NDArray[np.float64]

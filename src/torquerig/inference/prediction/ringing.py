@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.features.run_features import RunFeatures
+from torquerig.linear_twin.twin import Twin
 from torquerig.sensor_stages.ringing import Ringing
 
 Floats = NDArray[np.float64]

@@ -15,9 +15,9 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.measured_run import MeasuredRun
+from torquerig.linear_twin.twin import Twin
 
 Floats = NDArray[np.float64]
 

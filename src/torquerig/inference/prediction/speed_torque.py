@@ -19,9 +19,9 @@ from math import pi, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.features.set_point_course import acceleration_density
+from torquerig.linear_twin.twin import Twin
 
 Floats = NDArray[np.float64]
 

@@ -22,9 +22,9 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.twin import LineSource, passed
 from torquerig.inference.blocks import Block
 from torquerig.inference.features.run_features import RunFeatures
+from torquerig.linear_twin.twin import LineSource, passed
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]

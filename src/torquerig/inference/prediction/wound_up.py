@@ -16,10 +16,10 @@ from math import atanh
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.quasi_static import OPPOSING, dry_torque
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.inference.features.level_motion import POINTS
 from torquerig.inference.features.run_features import RunFeatures
+from torquerig.linear_twin.quasi_static import OPPOSING, dry_torque
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.terms import Inertia
 
 Floats = NDArray[np.float64]

@@ -7,9 +7,9 @@ from math import sqrt
 
 import numpy as np
 
-from torquerig.diagnosis.fitting.knobs import Knob, turned
-from torquerig.diagnosis.linear.field_speed import share_of_field
 from torquerig.errors import TorquerigError
+from torquerig.inference.knobs import Knob, turned
+from torquerig.linear_twin.field_speed import share_of_field
 from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Rig
 

@@ -14,18 +14,18 @@ from math import ceil, floor, log
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.fitting.knobs import turned
-from torquerig.diagnosis.linear.twin import Twin
-from torquerig.diagnosis.looking.places import order
 from torquerig.errors import TorquerigError
 from torquerig.inference.features.run_features import run_features
+from torquerig.inference.knobs import turned
 from torquerig.inference.likelihood import LEVEL, LINE, Discrepancy, log_density, residuals_of
 from torquerig.inference.model_density import model_densities
+from torquerig.inference.places import order
 from torquerig.inference.prediction.expected_run import expected_run
 from torquerig.inference.prediction.rig_lines import rig_lines
 from torquerig.inference.readings.order_comb import OrderSpectrum, expected_over_noise, order_spectrum
 from torquerig.inference.readings.reading import CLEARLY, SLIP_LOG_ODDS, Read, Reading, SetupFault, gain_of
 from torquerig.inference.readings.teeth import Pair, ToothedStage, toothed_stages, with_pair
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.assembly import Rig
 
 Floats = NDArray[np.float64]

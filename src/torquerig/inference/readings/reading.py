@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from torquerig.diagnosis.looking.places import Place
 from torquerig.inference.fit import Data, Fit
 from torquerig.inference.measured_run import MeasuredRun
+from torquerig.inference.places import Place
 from torquerig.rig.assembly import Rig
 
 CLEARLY = 15.0  # [nats] by which another reading must explain the features better: 3e6 to 1

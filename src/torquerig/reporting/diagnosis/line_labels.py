@@ -9,9 +9,9 @@ from math import pi
 import numpy as np
 
 from torquerig.diagnosis.engine import Outcome
-from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.outcome import Mismatch
 from torquerig.diagnosis.showing.comparison import Compared
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.sensor_stages.tone import Tone, folded

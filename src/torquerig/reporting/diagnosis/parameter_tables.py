@@ -9,7 +9,7 @@ from typing import Any, Protocol, get_args, get_type_hints
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.fitting.knobs import Knob
+from torquerig.inference.knobs import Knob
 from torquerig.parameter import Parameter
 from torquerig.reporting.layout import Cell, Table, number, plain
 from torquerig.rig.assembly import Rig

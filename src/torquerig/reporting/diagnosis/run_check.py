@@ -10,8 +10,8 @@ import numpy as np
 
 from torquerig.diagnosis.motion.lines import in_a_line
 from torquerig.diagnosis.motion.moved import BAND, moved_runs, under_measured_motion
-from torquerig.diagnosis.rig_under_test import check_recordings, check_rig
 from torquerig.diagnosis.sheet_ratio import at_ratio_of
+from torquerig.inference.rig_under_test import check_recordings, check_rig
 from torquerig.orders.angle.suspicions import angle_sentences
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.recording import Recording

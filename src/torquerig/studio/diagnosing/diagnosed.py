@@ -38,7 +38,7 @@ def diagnosed(question: DiagnosisQuestion, report: Report) -> DiagnosisShown:
     InputError, RecordingError
         Where scenario and recordings cannot be used or do not fit each other.
     """
-    from torquerig.diagnosis.side_by_side import side_by_side
+    from torquerig.parallel import parallel_processes
 
     def staged(stage: str) -> None:
         report(stage=stage)
@@ -47,7 +47,7 @@ def diagnosed(question: DiagnosisQuestion, report: Report) -> DiagnosisShown:
     catalog = catalog_for(question.path, question.catalogs)
     scenario = read_scenario(parse_document(question.text, question.path), catalog, seed=question.seed)
     recordings = _read(question)
-    with side_by_side(question.workers):
+    with parallel_processes(question.workers):
         return _ENGINES[question.engine](scenario, recordings, question, staged)
 
 

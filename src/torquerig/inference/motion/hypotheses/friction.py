@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.addition import DECADE, start_of
+from torquerig.inference.knobs import Knob
 from torquerig.inference.motion.fitted_model import Fit, effort_scale
 from torquerig.inference.motion.hypotheses.shown import carrier, fitted_runs, least_squares, stroke, top_speed
 from torquerig.inference.motion.hypothesis import MECHANISM, Hypothesis

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
+from torquerig.inference.knobs import Knob
 from torquerig.inference.motion.fitted_model import Fit
 from torquerig.inference.motion.hypotheses.shown import stroke
 from torquerig.inference.motion.hypothesis import MECHANISM, Hypothesis

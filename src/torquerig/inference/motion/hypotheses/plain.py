@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.inference.addition import DECADE
+from torquerig.inference.knobs import Knob
 from torquerig.inference.motion.fitted_model import Fit, effort_scale
 from torquerig.inference.motion.hypotheses.shown import carrier, top_speed
 from torquerig.inference.motion.hypothesis import Hypothesis

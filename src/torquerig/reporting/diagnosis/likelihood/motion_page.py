@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.fitting.knobs import Knob
+from torquerig.inference.knobs import Knob
 from torquerig.inference.motion.engine import MotionOutcome
 from torquerig.inference.motion.fitted_model import Fit
 from torquerig.reporting.diagnosis.likelihood import tables

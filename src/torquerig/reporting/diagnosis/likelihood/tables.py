@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.outcome import Mismatch
 from torquerig.inference.fit import Fit
+from torquerig.inference.knobs import Knob
 from torquerig.reporting.diagnosis.sentences import mechanism_text
 from torquerig.reporting.layout import Cell, Table, number, plain, words
 from torquerig.rig.assembly import Rig

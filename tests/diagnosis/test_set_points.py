@@ -1,4 +1,4 @@
-"""What a scenario must have before its recordings can be diagnosed, and which ratio a sheet may mean."""
+"""Which ratio and which speed a sheet may mean."""
 
 from __future__ import annotations
 
@@ -10,35 +10,14 @@ import numpy as np
 import pytest
 
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.rig_under_test import check_rig, off_set_points
+from torquerig.diagnosis.set_points import off_set_points
 from torquerig.diagnosis.sheet_ratio import at_ratio_of, off_ratios
-from torquerig.errors import InputError, RecordingError
+from torquerig.errors import RecordingError
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
-from torquerig.rig.parts import ImposedMotion
-from torquerig.scenario.model import Scenario
 
 ANGLE = 40.0 * np.arange(20000) / 5000.0
 NOISE = 1e-3 * np.random.default_rng(1).standard_normal(ANGLE.size)
-MOTION = ImposedMotion(name="moved", at="motor", channel="motor_angle")
-
-
-def test_a_rig_that_nothing_drives_is_said(wear_rig: Scenario) -> None:
-    still = wear_rig.rig.without("speed_controller")
-    with pytest.raises(InputError, match="nothing in the scenario drives a motor; add a speed_controller"):
-        check_rig(still)
-    with pytest.raises(InputError, match=r"imposes the motion 'moved' but measures 'torque_sensor'.*measured: moved"):
-        check_rig(still + MOTION)
-
-
-def test_a_measured_part_that_no_torque_passes_is_said(wear_rig: Scenario) -> None:
-    with pytest.raises(InputError, match="measures 'wear_part', which transmits no torque"):
-        check_rig(replace(wear_rig.rig, measured="wear_part"))
-
-
-def test_a_rig_that_is_driven_may_have_a_motion_imposed_beside(wear_rig: Scenario) -> None:
-    check_rig(wear_rig.rig)
-    check_rig(wear_rig.rig + MOTION)
 
 
 @pytest.mark.parametrize("stated", [1.0, 3.0])

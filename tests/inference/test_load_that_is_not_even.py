@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from torquerig.diagnosis.fitting.knobs import HARDLY_ANY, nuisance_knobs, with_free_load
+from torquerig.inference.knobs import HARDLY_ANY, nuisance_knobs, with_free_load
 from torquerig.mechanisms import ParticleLoad
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario

@@ -10,15 +10,15 @@ from statistics import median
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.field_speed import share_of_field
-from torquerig.diagnosis.linear.twin import Twin
-from torquerig.diagnosis.looking.own_factor import own_factor
-from torquerig.diagnosis.side_by_side import of_each
+from torquerig.inference.motor_angle.speed_factor import speed_factor
+from torquerig.linear_twin.field_speed import share_of_field
+from torquerig.linear_twin.twin import Twin
 from torquerig.mechanisms import TorqueRipple
 from torquerig.orders.angle.measured_angle import MotorAngle
 from torquerig.orders.angle.speed_from_torque import motor_angle_from_torque
 from torquerig.orders.angle.tacho import recorded_motor_angle
 from torquerig.orders.angle.wide_speed_search import wide_speed_search
+from torquerig.parallel import parallel_map
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.set_point import set_point_speed
 from torquerig.rig.assembly import Rig
@@ -56,7 +56,7 @@ def shaft_angles(recordings: Sequence[Recording], rig: Rig, *, also: Sequence[fl
     factor, or by the one along which its lines stand out; its ripple is left out, for nobody knows at which phase it
     moves the shaft.
     """
-    found = of_each(partial(_told, rig=rig, also=also), recordings)
+    found = parallel_map(partial(_told, rig=rig, also=also), recordings)
     pairs = [*zip(recordings, found, strict=True)]
     shares = [share_of_field(rig, run.run) if _asked(run) else 1.0 for run in recordings]
     factors = [angle.factor / share for (run, angle), share in zip(pairs, shares, strict=True)
@@ -113,6 +113,6 @@ def _simulated(recording: Recording, rig: Rig, factor: float, also: Sequence[flo
     turned = simulate(rig.at(run), duration=recording.duration, seed=0, sample_rate=recording.sample_rate)
     angle = turned.channels["true_motor_angle_rad"].values
     if run.profile != "steady":
-        own = own_factor(recording.torque(), recording.sample_rate, angle, orders, expected=factor)
+        own = speed_factor(recording.torque(), recording.sample_rate, angle, orders, expected=factor)
         angle, factor = angle * own, factor * own
     return ShaftAngle(angle, False, f"simulated from the set-point times {factor:.5f}", factor * share)

@@ -7,8 +7,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from torquerig.diagnosis.linear.quasi_static import quasi_static, shares_at_sensor
-from torquerig.diagnosis.linear.twin import Twin
+from torquerig.linear_twin.quasi_static import quasi_static, shares_at_sensor
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.assembly import Rig
 from torquerig.simulation.simulator import simulate
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from torquerig.diagnosis.linear.twin import Twin
-from torquerig.diagnosis.rig_under_test import check_rig
 from torquerig.errors import InputError
+from torquerig.inference.rig_under_test import check_rig
+from torquerig.linear_twin.twin import Twin
 from torquerig.mechanisms import TorqueRipple
 from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Rig

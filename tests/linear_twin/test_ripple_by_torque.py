@@ -8,7 +8,7 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.diagnosis.linear.twin import Twin
+from torquerig.linear_twin.twin import Twin
 from torquerig.mechanisms import BladePass, CommutationRipple, TorqueRipple
 from torquerig.recordings.run import Run
 from torquerig.scenario.model import Scenario

@@ -22,8 +22,8 @@ _work: list[Callable[[int], Any]] = []  # of a child: what it was born with
 
 
 @contextmanager
-def side_by_side(processes: int) -> Iterator[None]:
-    """Let ``of_each`` use so many processes inside, where the system can fork one that shares this one's memory.
+def parallel_processes(processes: int) -> Iterator[None]:
+    """Let ``parallel_map`` use so many processes inside, where the system can fork one that shares this one's memory.
 
     What comes out does not depend on how many: linear algebra has one thread in each.
     """
@@ -37,12 +37,12 @@ def side_by_side(processes: int) -> Iterator[None]:
         _PROCESSES.reset(before)
 
 
-def of_each(work: Callable[[One], Answer], items: Sequence[One]) -> list[Answer]:
+def parallel_map(work: Callable[[One], Answer], items: Sequence[One]) -> list[Answer]:
     """Return ``work`` of every item, in their order.
 
     The processes are forked, so that nothing but the answers is copied; what ``work`` keeps for later is lost. One
-    process works where ``side_by_side`` allows no more, and inside of ``work``. An exception of the first item that
-    raises one is raised.
+    process works where ``parallel_processes`` allows no more, and inside of ``work``. An exception of the first item
+    that raises one is raised.
     """
     count = min(_PROCESSES.get(), len(items))
     if count < 2:

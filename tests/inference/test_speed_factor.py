@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from torquerig.diagnosis.looking.own_factor import own_factor
-from torquerig.diagnosis.looking.shaft_angle import shaft_angles
+from torquerig.inference.motor_angle.shaft_angle import shaft_angles
+from torquerig.inference.motor_angle.speed_factor import speed_factor
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.model import Scenario
 
@@ -58,16 +58,16 @@ def swept(orders: tuple[float, ...], factor: float, noise: float) -> tuple[np.nd
 @pytest.mark.parametrize("factor", [0.99, 1.0, 1.006])
 def test_lines_tell_how_fast_the_shaft_turns(factor: float) -> None:
     torque, angle = swept((6.0, 7.0), factor, noise=0.1)
-    assert own_factor(torque, RATE, angle, (1.0, 6.0, 7.0), expected=1.0) == pytest.approx(factor, abs=4e-4)
+    assert speed_factor(torque, RATE, angle, (1.0, 6.0, 7.0), expected=1.0) == pytest.approx(factor, abs=4e-4)
 
 
 def test_where_no_line_stands_out_nothing_is_told() -> None:
     for orders in ((), (6.5,)):
         torque, angle = swept(orders, 1.0, noise=0.1)
-        assert own_factor(torque, RATE, angle, (6.0, 7.0, 12.0), expected=1.0) == 1.0
-    assert own_factor(np.zeros(20000), RATE, angle, (6.0, 7.0), expected=1.0) == 1.0
+        assert speed_factor(torque, RATE, angle, (6.0, 7.0, 12.0), expected=1.0) == 1.0
+    assert speed_factor(np.zeros(20000), RATE, angle, (6.0, 7.0), expected=1.0) == 1.0
 
 
 def test_no_set_point_is_off_by_more_than_a_percent_or_so() -> None:
     torque, angle = swept((6.0, 7.0), 1.012, noise=0.1)
-    assert own_factor(torque, RATE, angle, (6.0, 7.0), expected=1.01) == 1.0
+    assert speed_factor(torque, RATE, angle, (6.0, 7.0), expected=1.01) == 1.0

@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from torquerig.diagnosis.linear.transfer import on_grid
-from torquerig.diagnosis.linear.twin import Twin
+from torquerig.linear_twin.transfer import on_grid
+from torquerig.linear_twin.twin import Twin
 from torquerig.mechanisms import ToothMesh, TorsionalMode
 from torquerig.orders.kinematics.teeth import Planetary
 from torquerig.rig.assembly import Rig

@@ -11,7 +11,7 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.kernel import between_points
+from torquerig.linear_twin.kernel import between_points
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import GROUND, Drive, Friction, Inertia, Spring, Term
 from torquerig.simulation.linear import Matrices, matrices

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from torquerig.diagnosis.linear.quasi_static import quasi_static
-from torquerig.diagnosis.linear.twin import Twin
+from torquerig.linear_twin.quasi_static import quasi_static
+from torquerig.linear_twin.twin import Twin
 from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Rig
 

@@ -1,4 +1,4 @@
-"""Compiled loops of what is looked for in recordings."""
+"""Compiled loops over the waves of lines."""
 
 from __future__ import annotations
 

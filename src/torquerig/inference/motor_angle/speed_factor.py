@@ -18,7 +18,7 @@ _CLEARLY = 15.0  # nats by which the lines must stand out further: where the ang
 _OTHER = 5e-4  # [1] nearer factors are the same: the lines keep their phase over a stretch
 
 
-def own_factor(torque: Floats, rate: float, angle: Floats, orders: Sequence[float], *, expected: float) -> float:
+def speed_factor(torque: Floats, rate: float, angle: Floats, orders: Sequence[float], *, expected: float) -> float:
     """Return the factor of the angle along which the lines of ``orders`` stand out, 1 where they do along ``angle``.
 
     Each line is summed in phase over pieces of the run; what it holds there over its median for all factors is what it

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from torquerig.diagnosis.looking.places import frequency, order
-from torquerig.diagnosis.looking.waves import Waves
+from torquerig.inference.features.waves import Waves
+from torquerig.inference.places import frequency, order
 
 TIME = np.arange(9000) / 1000
 ANGLE = 104.7 * TIME + 3 * np.sin(2 * TIME)

@@ -11,8 +11,8 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.looking.kernel import summed_waves, weighted_waves
-from torquerig.diagnosis.looking.places import Place
+from torquerig.inference.features.kernel import summed_waves, weighted_waves
+from torquerig.inference.places import Place
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.twin import BLADE_MEAN, Twin
+from torquerig.linear_twin.twin import BLADE_MEAN, Twin
 from torquerig.rig.terms import BladeTorque, Friction, Inertia, Load
 
 Floats = NDArray[np.float64]

@@ -7,9 +7,9 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.diagnosis.looking.places import frequency
-from torquerig.diagnosis.looking.regression import HANN_NOISE, regressed
-from torquerig.diagnosis.looking.waves import Waves
+from torquerig.inference.features.regression import HANN_NOISE, regressed
+from torquerig.inference.features.waves import Waves
+from torquerig.inference.places import frequency
 
 SAMPLES, TRIALS = 1000, 400
 TIME = np.arange(SAMPLES) / SAMPLES

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.looking.waves import Waves
+from torquerig.inference.features.waves import Waves
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -40,6 +40,11 @@ class Regression:
 
 
 HANN_NOISE = 1.5  # spread of an amplitude under a Hann window, as a factor on its variance without one
+
+
+def hann_transform(bins: Floats) -> Floats:
+    """Return the amplitude [1] that a Hann window keeps of a line so many bins from the one looked for."""
+    return np.asarray(np.sinc(bins) + 0.5 * (np.sinc(bins - 1) + np.sinc(bins + 1)))
 
 
 def regressed(values: Floats, waves: Waves, *, window: Floats | None = None) -> Regression:

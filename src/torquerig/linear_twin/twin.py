@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.linear.transfer import Response, on_grid
+from torquerig.linear_twin.transfer import Response, on_grid
 from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
 from torquerig.rig.assembly import Rig
 from torquerig.rig.host_changes import lowest_cutoff
