@@ -15,7 +15,7 @@ from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Coupling
 from torquerig.rig.terms import Drive, ImposedMotion, Signal, Term
-from torquerig.simulation.simulator import simulate
+from torquerig.simulation.simulator import choice_for, simulate
 
 J, K, C = 0.005, 700.0, 0.05
 BASE, F = 3.0, 40.0  # [rad], [Hz] of the imposed swing
@@ -54,6 +54,13 @@ def shaft(*terms: Term, run: Run | None = None) -> Rig:
     spring = Coupling(name="shaft", after="first", stiffness=K, damping=C)
     second = Body(name="second", after="shaft", inertia=J)
     return Rig((first, spring, second, With(name="given", given=terms)), run or Run(), measured="shaft")
+
+
+def test_an_imposed_end_is_clamped_in_the_modes_that_fix_the_step() -> None:
+    """sqrt(K / J) = 374.2 1/s with the first end clamped, not sqrt(2 K / J) = 529.2 1/s."""
+    rig = shaft(ImposedMotion(name="given", on="first", motion=Swing()))
+    choice = choice_for(rig, duration=0.1, seed=0, settling=0.0, sample_rate=200.0)
+    assert choice.fixed_by.rate == pytest.approx((K / J) ** 0.5, rel=1e-4)
 
 
 def truth(made: Recording, name: str) -> NDArray[np.float64]:

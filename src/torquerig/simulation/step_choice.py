@@ -43,6 +43,9 @@ class Rate:
     together: float | None = None
 
 
+_NOTHING = Rate(0.0, "nothing, as the motion of every part is imposed")
+
+
 @dataclass(frozen=True)
 class StepChoice:
     """The steps of a run.
@@ -95,7 +98,7 @@ def step_choices(lowered: Lowered, terms: Terms, sample_rate: float) -> tuple[St
 
 
 def _choice(found: Sequence[Rate], sample_rate: float) -> StepChoice:
-    fastest = max(found, key=lambda one: one.rate / one.allowed)
+    fastest = max(found, key=lambda one: one.rate / one.allowed, default=_NOTHING)
     steps = max(1, ceil(fastest.rate / sample_rate / fastest.allowed))
     return StepChoice(steps, 1 / sample_rate / steps, fastest)
 
@@ -110,10 +113,14 @@ def rates(lowered: Lowered, terms: Terms) -> tuple[Rate, ...]:
 
 
 def _modes(lowered: Lowered) -> list[Rate]:
-    values, vectors = np.linalg.eig(matrices(lowered, stiffest=True).state_matrix())
+    """Return the modes of the nodes that move by their torques; an imposed node is clamped."""
+    free = np.setdiff1d(np.arange(len(lowered.nodes)), _held(lowered))
+    system = matrices(lowered, stiffest=True).held_at(_held(lowered)).state_matrix()
+    values, vectors = np.linalg.eig(system)
     found = []
     for row in np.flatnonzero(values.imag >= 0):
-        shape = vectors[: len(lowered.nodes), row]
+        shape = np.zeros(len(lowered.nodes), dtype=np.complex128)
+        shape[free] = vectors[: free.size, row]
         shares = strain_shares(
             np.abs(shape) * np.cos(np.angle(shape) - np.angle(shape[np.abs(shape).argmax()])), lowered
         )
@@ -135,7 +142,7 @@ def _events(lowered: Lowered, terms: Terms) -> list[Rate]:
     An imposed shaft is not stopped by what acts on it.
     """
     slowest, light = _slowest(lowered, terms), np.append(1 / lowered.inertia, 0.0)
-    light[[lowered.node(term.on) for term in lowered.imposed_terms if not term.released]] = 0.0
+    light[_held(lowered)] = 0.0
     found = []
     for kind in KINDS:
         for each in kind.reversals(lowered.rows_of[kind.field], getattr(terms, kind.field)):
@@ -143,6 +150,12 @@ def _events(lowered: Lowered, terms: Terms) -> list[Rate]:
                 rate = each.torque * each.inverse_smoothing * (light[each.on] + light[each.against])
                 found.append(Rate(float(rate), f"{each.what} as it changes direction", EVENT_ANGLE))
     return found
+
+
+def _held(lowered: Lowered) -> NDArray[np.int64]:
+    """Return the numbers of the nodes that follow an imposed motion for the whole run."""
+    on = [lowered.node(term.on) for term in lowered.imposed_terms if not term.released]
+    return np.array(on, dtype=np.int64)
 
 
 def _slowest(lowered: Lowered, terms: Terms) -> Floats:
