@@ -14,7 +14,7 @@ from torquerig.inference.answer.numbers import MOST_SURE, TWO_SIDED, digits
 from torquerig.inference.motion.engine import MotionOutcome
 from torquerig.inference.motion.hypothesis import Hypothesis
 from torquerig.inference.motion.imposed_run import ImposedRun
-from torquerig.inference.motion.parameters_found import far_parameters, parameters_of
+from torquerig.inference.motion.parameters_found import delays, far_parameters, parameters_of
 from torquerig.inference.motion.search import LEAST_GAIN, Step
 from torquerig.inference.motion.sizes import amplitude, held_out_effort, held_out_rms, relevance, size
 from torquerig.rig.imposed_part import imposed_part
@@ -36,7 +36,7 @@ def as_json(outcome: MotionOutcome) -> dict[str, Any]:
         "schema": SCHEMA, "verdict": verdict(outcome),
         "mismatch": sorted((_place(outcome, step) for step in outcome.steps), key=lambda row: -row["share_of_misfit"]),
         "findings": [_finding(outcome, step) for step in named(outcome)],
-        "setup": [dict(row) for row in far_parameters(outcome)],
+        "setup": [*far_parameters(outcome), *delays(outcome)],
         "unnamed": [_unnamed(outcome, step) for step in nameless(outcome)],
         "fit": _fit_figures(outcome), "rms": _rms(outcome), "upper_limits": [],
         "set_aside": dict(_set_aside(outcome)), "next_experiment": None, "model": None,
@@ -52,7 +52,7 @@ def verdict(outcome: MotionOutcome) -> str:
         return "unexplained"
     if named(outcome):
         return "missing_physics"
-    return "setup_error" if any(True for _ in far_parameters(outcome)) else "adequate"
+    return "setup_error" if [*far_parameters(outcome), *delays(outcome)] else "adequate"
 
 
 def named(outcome: MotionOutcome) -> list[Step]:
@@ -61,9 +61,9 @@ def named(outcome: MotionOutcome) -> list[Step]:
 
 
 def nameless(outcome: MotionOutcome) -> list[Step]:
-    """Return the others."""
+    """Return the others, without a delay, which is a fact of the set-up."""
     sure = {id(step) for step in named(outcome)}
-    return [step for step in outcome.steps if id(step) not in sure]
+    return [step for step in outcome.steps if id(step) not in sure and step.kept.hypothesis.kind != "effort_delay"]
 
 
 def is_minor(outcome: MotionOutcome, step: Step) -> bool:

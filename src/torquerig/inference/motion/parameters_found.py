@@ -59,6 +59,22 @@ def far_parameters(outcome: MotionOutcome) -> Iterator[dict[str, Any]]:
         }  # fmt: skip
 
 
+def delays(outcome: MotionOutcome) -> Iterator[dict[str, Any]]:
+    """Yield the delay between motion and effort, where the model has one, as a fact of the set-up."""
+    for each in outcome.fit.model.additions:
+        if each.kind == "effort_delay":
+            row = outcome.fit.names.index(f"{each.name}[0]")
+            late, half = (float(each.scale * x) for x in (
+                outcome.fit.positions[row], TWO_SIDED * np.sqrt(outcome.fit.covariance[row, row])))  # fmt: skip
+            yield {
+                "kind": "acquisition_filter", "of": outcome.runs[0].channel.quantity, "stated": 0.0,
+                "estimated": {"value": digits(late), "ci95": [digits(late - half), digits(late + half)], "unit": "s"},
+                "confidence": MOST_SURE, "equivalent_to": [],
+                "explanation": f"The measured effort is {abs(1000 * late):.3g} ms {'later' if late > 0 else 'earlier'} "
+                "than the measured motion.",
+            }  # fmt: skip
+
+
 def _estimate(outcome: MotionOutcome, knob: Knob, unit: str, *, factor: float = 1.0) -> dict[str, Any]:
     fit = outcome.fit
     row = fit.names.index(knob.name)

@@ -3,7 +3,7 @@
 friction      dry friction of the imposed or the last part        gap       play in a gear or link
 cogging       orders of slots and magnets                         plain     drag, drift, mains, a further inertia
 waves         nameless lines over angle, place or time            smooth    nameless functions of place, speed, time
-zeros         the zero of an incremental scale in each run
+zeros         the zero of an incremental scale in each run         delay     time between motion and effort
 """
 
 from __future__ import annotations
@@ -11,11 +11,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from torquerig.inference.motion.fitted_model import Fit
-from torquerig.inference.motion.hypotheses import cogging, friction, gap, plain, smooth, waves, zeros
+from torquerig.inference.motion.hypotheses import cogging, delay, friction, gap, plain, smooth, waves, zeros
 from torquerig.inference.motion.hypothesis import Hypothesis
 
 
 def proposals(fit: Fit) -> Iterator[Hypothesis]:
     """Yield all hypotheses for a fitted model."""
-    for family in (friction, gap, cogging, plain, waves, smooth, zeros):
+    for family in (friction, gap, cogging, plain, waves, smooth, zeros, delay):
         yield from family.propose(fit)

@@ -10,11 +10,12 @@ from numpy.typing import NDArray
 from torquerig.inference.motion.fitted_model import Fit, effort_scale
 from torquerig.inference.motion.hypotheses.shown import hats, residual_scale
 from torquerig.inference.motion.hypothesis import ANYWHERE, Hypothesis
-from torquerig.inference.motion.imposed_run import ImposedRun
+from torquerig.inference.motion.imposed_run import BAND, ImposedRun
 
 Floats = NDArray[np.float64]
 
 _NODES, _OF_TIME = 12, 8
+_TAPS = (-2, -1, 0, 1, 2)  # quarters of the shortest period that is compared
 
 
 def propose(fit: Fit) -> Iterator[Hypothesis]:
@@ -51,9 +52,23 @@ def _families(fit: Fit) -> Iterator[Hypothesis]:
               lambda run: np.hstack([
                   hats(run.position, places) * way[:, None] for way in (run.speed > 0, run.speed <= 0)
               ]), left, axis="position")  # fmt: skip
+    yield one("motion_response", "an effort that follows each small change of the motion (a loop, an inertia)",
+              _responses, left)  # fmt: skip
     if speeds.size > 2:
         yield one("over_speed", "an effort that is a function of the speed", lambda run: hats(run.speed, speeds), left,
                   axis="speed")  # fmt: skip
     yield one("slow_course", "an effort that changes slowly with time",
               lambda run: hats(run.time, np.linspace(0, run.time[-1], _OF_TIME)), left, local=True,
               axis="time")  # fmt: skip
+
+
+def _responses(run: ImposedRun) -> Floats:
+    """Return the speed's deviation from its median, earlier and later, over its rms, shape (samples, taps).
+
+    Any linear response with a memory of half the shortest period, to either side, is a sum of these: a delay, a wrong
+    inertia, a drag, and the loop that answers a deviation of the position with a current. Source: Ljung 1999, System
+    Identification, 10.1 (finite impulse response by least squares). Not true for a resonance, which rings longer.
+    """
+    moved = run.speed - np.median(run.speed)
+    moved = moved / max(float(np.sqrt(np.mean(moved**2))), 1e-300)
+    return np.column_stack([np.roll(moved, round(tap / (4 * BAND))) for tap in _TAPS])

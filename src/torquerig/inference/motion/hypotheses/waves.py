@@ -9,10 +9,13 @@ from math import log, pi
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig import mechanisms
 from torquerig.inference.motion.fitted_model import Fit, effort_scale
 from torquerig.inference.motion.hypotheses.shown import in_a_line, weighted_signals
 from torquerig.inference.motion.hypothesis import Hypothesis
 from torquerig.inference.motion.imposed_run import BAND, ImposedRun
+from torquerig.rig.assembly import Part
+from torquerig.rig.imposed_part import imposed_part
 
 Floats = NDArray[np.float64]
 
@@ -72,7 +75,8 @@ def lines(
     in_band = [order for order in orders if any(_shown_in(run, order, over) for run in fit.runs)]
     if not in_band:
         return
-    turning = over > 0
+    turning, imposed = over > 0, imposed_part(fit.model.nominal)
+    assert imposed is not None
     for form, by_direction, local in _FORMS:
         if by_direction and not turning:
             continue
@@ -82,6 +86,7 @@ def lines(
             label=f"a periodic effort at {in_band[0]:.4g} {unit}{', ' + form.replace('_', ' ') if form else ''}",
             columns=_Waves(tuple(in_band), over, by_direction), scale=effort_scale(fit.runs), local=local,
             log_odds=-log(max(places, 2.0)) - _LESS_SIMPLE * (by_direction + local),
+            written=None if form or not turning else _Written(imposed.at, tuple(in_band), over),
         )  # fmt: skip
 
 
@@ -100,6 +105,25 @@ class _Waves:
             return np.asarray(waves)
         ahead = (run.speed > 0)[:, None]
         return np.hstack([waves * ahead, waves * ~ahead])
+
+
+@dataclass(frozen=True)
+class _Written:
+    """The part of fitted sizes: the effort is the opposite of the torque; its orders are per radian or metre."""
+
+    at: str
+    orders: tuple[float, ...]
+    over: float
+
+    def __call__(self, sizes: Floats) -> tuple[Part, ...]:
+        torque = {2 * pi * self.over * o: -(sizes[2 * i] - 1j * sizes[2 * i + 1]) for i, o in enumerate(self.orders)}
+        return (
+            mechanisms.TorqueRipple(
+                name=f"unnamed_line_{self.orders[0]:g}".replace(".", "_"), at=self.at, group="mechanical",
+                amplitudes={order: float(abs(size)) for order, size in torque.items()},
+                phases={order: float(np.angle(size)) for order, size in torque.items()},
+            ),
+        )  # fmt: skip
 
 
 def axis_of(run: ImposedRun, over: float) -> Floats:
