@@ -72,22 +72,28 @@ def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple
     slack = -log_prior(model.fit.off)  # that an addition gets back when it makes the discrepancy smaller
     fits = _fitted(model, data, [(each, start) for gain, start, each in screened if gain > -slack])
     before = held_out_density(model.fit, held)
+    unseen = {id(one): held_out_density(one.fit, held) for one in fits}
     better = [one for one in fits if one.log_odds - model.log_odds > LEAST_OTHER]
     winners = [
         one for one in better
         if wins(
             one.additions[-1], odds=one.log_odds - model.log_odds,
-            held_out=held_out_density(one.fit, held) - _compared(model.fit, one.additions[-1], data, held, before),
+            held_out=unseen[id(one)] - _compared(model.fit, one.additions[-1], data, held, before),
         )
     ]  # fmt: skip
     if not winners:
         return None, tried
-    best = max(winners, key=lambda one: one.log_odds)
+
+    def odds(one: Model) -> float:
+        """Return the posterior log-odds given fitted and held-out data (chain rule of probability)."""
+        return one.log_odds + unseen[id(one)]
+
+    best = max(winners, key=odds)
     added = best.additions[-1]
     # one of better odds failed on the held-out data and is no alternative
-    behind = [one for one in fits if one is not best and one.log_odds <= best.log_odds
+    behind = [one for one in fits if one is not best and odds(one) <= odds(best)
               and competes(added, one.additions[-1], data)]  # fmt: skip
-    others = [(added, one.additions[-1], best.log_odds - one.log_odds) for one in behind]
+    others = [(added, one.additions[-1], odds(best) - odds(one)) for one in behind]
     return replace(best, alternatives=(*model.alternatives, *others)), tried
 
 
