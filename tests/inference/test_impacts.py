@@ -55,3 +55,25 @@ def test_impacts_that_slip_leave_in_a_line_what_a_random_walk_leaves(multiple, s
     share = share_in_line(np.array(multiple), slip, impacts)
     assert np.mean(power) == pytest.approx(share, rel=0.25)  # 200 exponential variates: 3 sd are 0.21
     assert np.log(power).var() == pytest.approx(np.pi**2 / 6 * (1 - share) ** 2, rel=0.5, abs=0.1)
+
+
+def test_impacts_of_a_slow_shaft_are_found_over_the_whole_run():
+    # a block has 2 turns of the shaft
+    runs = [struck(3.57 / 20, seed=seed) for seed in (5, 6)]
+    impact = search_impacts([run_features(run, []) for run in runs], 1 / 20)
+    assert impact.order == pytest.approx(3.57, abs=0.05)
+
+
+def test_a_band_without_a_ring_does_not_beat():
+    impact = found(struck(3.57, seed=1, size=0.1), struck(3.57, seed=2, size=0.1))
+    assert impact.log_p_near(420.0) < np.log(1e-6)
+    assert impact.log_p_near(30.0) > np.log(1e-2)
+
+
+def test_impacts_that_the_load_makes_stronger_once_a_turn_keep_their_order():
+    def modulated(run):
+        return replace(run, torque=run.torque * (1 + 0.8 * np.cos(run.angle / 20)))
+
+    runs = [modulated(struck(3.31 / 20, seed=seed)) for seed in (7, 8)]
+    impact = search_impacts([run_features(run, []) for run in runs], 1 / 20)
+    assert impact.order == pytest.approx(3.31, abs=0.05)

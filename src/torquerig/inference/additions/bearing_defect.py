@@ -41,6 +41,7 @@ def propose(context: Context) -> Iterator[Addition]:
 
 def _impacts(context: Context, shaft: Shaft, impact: Impact) -> Addition:
     name, own = free_name(context.rig, "bearing_defect"), impact.order * shaft.turns
+    beat = impact.log_p_near(impact.frequency)  # a mode that impacts ring beats with them
     comb = _comb(context, own)
     own = refined(own, [place.at for place in comb if place.domain == "order"])
     impact = replace(impact, order=own / shaft.turns)
@@ -53,7 +54,7 @@ def _impacts(context: Context, shaft: Shaft, impact: Impact) -> Addition:
         mechanism="bearing_defect", parts=(part,), starts=tuple((size, 0.0, 0.0, 0.0) for size in sizes),
         knobs=(Knob(name, "amplitude", DECADE), Knob(name, "ring_frequency", _FREQUENCY_SPREAD),
                Knob(name, "damping", _DAMPING_SPREAD), Knob(name, "slip", _SLIP_SPREAD)),
-        places=comb, log_odds=_LOG_ODDS + min(largest_factor(impact.log_p), _MOST_FACTOR),
+        places=comb, log_odds=_LOG_ODDS + min(largest_factor(beat), _MOST_FACTOR),
         label=f"impacts {impact.order:.4g} times a turn of {shaft.part} that ring near {impact.frequency:.3g} Hz",
         fixed={"order_output": (impact.order, context.order_step / shaft.turns, "1/rev")},
         reported=(Reported("ring_frequency_Hz", "ring_frequency", "Hz"), Reported("amplitude_Nm", "amplitude", "N*m")),

@@ -6,7 +6,7 @@ the median of its neighbours is an exponential variate, and the sum over harmoni
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from math import log, pi
@@ -14,8 +14,10 @@ from math import log, pi
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.inference.blocks import Block
 from torquerig.inference.features.line_powers import line_powers
 from torquerig.inference.features.run_features import RunFeatures
+from torquerig.inference.measured_run import MeasuredRun
 
 Floats = NDArray[np.float64]
 
@@ -28,17 +30,27 @@ _OVERSAMPLED = 2  # points of the grid of orders for each bin
 _MOST = 12.0  # [1] times the noise that one bin counts
 _NEIGHBOURS = 50  # bins either way whose median is the noise of a bin
 _LARGEST_PART = 9  # of a beat: a lower order whose other multiples beat too
-_BEATS = 4.0  # [1] times the noise, in the mean
-_TURNS = 6.0  # of the shaft in a block at least
+_BEATS = 4.0  # [1] times the noise, in the mean of all pieces
+_MAIN_LOBE = 2.0  # [bins] half the width of a line under a Hann window
+_SIDES = 2  # orders of the shaft on either side of a multiple at which impacts beat too, as the load turns
+_TURNS = 6.0  # of the shaft in a piece of a run at least
+_SEARCHES = 2  # one in blocks, one in whole runs
 
 
 @dataclass(frozen=True)
 class Impact:
-    """A band around ``frequency`` [Hz] that beats ``order`` times per turn of a shaft, with the p-value's logarithm."""
+    """A band around ``frequency`` [Hz] that beats ``order`` times per turn of a shaft.
+
+    ``log_p`` has the logarithm of the p-value of that beat in each searched band, by the middle of the band [Hz].
+    """
 
     order: float
     frequency: float
-    log_p: float
+    log_p: Mapping[float, float]
+
+    def log_p_near(self, frequency: float) -> float:
+        """Return the logarithm of the p-value in the band that is nearest to a frequency [Hz]."""
+        return self.log_p[min(self.log_p, key=lambda middle: abs(log(middle / frequency)))]
 
 
 @dataclass(frozen=True)
@@ -51,48 +63,74 @@ class _Beats:
 
 
 def search_impacts(seen: Sequence[RunFeatures], turns: float) -> Impact | None:
-    """Return the clearest beat of a shaft that turns ``turns`` times per turn of the motor, or None."""
+    """Return the clearest beat of a shaft that turns ``turns`` times per turn of the motor, or None.
+
+    Searched are single blocks, in which an angle that was estimated hardly drifts, and all blocks of a run together,
+    in which a slow shaft turns often enough. Those are held-out blocks too: beats are no feature that a model predicts.
+    """
     top = _HIGHEST * min((one.run.rate for one in seen), default=0.0)
-    beats = [each for one in seen for each in _beats_of(one, top) if each.turned * turns > _TURNS]
-    if not beats:
+    found = [
+        _clearest([each for one in seen for each in _beats_of(one, top, joined) if each.turned * turns > _TURNS],
+                  turns, _centres(top).tolist())
+        for joined in (False, True)
+    ]  # fmt: skip
+    return min((each for each in found if each is not None), key=lambda one: min(one.log_p.values()), default=None)
+
+
+def _clearest(beats: Sequence[_Beats], turns: float, middles: Sequence[float]) -> Impact | None:
+    """Return the clearest beat in pieces of runs."""
+    shown = [band for band in range(_BANDS) if any(each.ratios[band].size for each in beats)]
+    if not shown:
         return None
     step = min(each.step for each in beats) / turns / _OVERSAMPLED
     orders = np.arange(*_ORDERS, step)
-    shown = [band for band in range(_BANDS) if any(each.ratios[band].size for each in beats)]
     scores = np.array([np.sum([_score(each, band, orders * turns) for each in beats], axis=0) for band in shown])
-    if not scores.size:
-        return None
     row, at = divmod(int(np.argmax(scores)), orders.size)
-    band = shown[row]
-    count = _HARMONICS * len(beats)
-    log_p = _log_tail(count, float(scores[row, at])) + log(orders.size / _OVERSAMPLED * len(shown))
-    if log_p > log(LEVEL):
+    count, places = _HARMONICS * len(beats), log(_SEARCHES * orders.size / _OVERSAMPLED * len(shown))
+    log_p = [min(_log_tail(count, score) + places, 0.0) for score in scores[:, at].tolist()]
+    if log_p[row] > log(LEVEL):
         return None
-    order = _fundamental(beats, band, float(orders[at]), turns)
+    order = _fundamental(beats, shown[row], float(orders[at]), turns)
     if order < _ORDERS[0]:  # something that passes less than twice a turn
         return None
     loudest = max(shown, key=lambda one: sum(_size(each, one, float(orders[at]) * turns) for each in beats))
-    return Impact(order, float(_centres(top)[loudest]), log_p)
+    return Impact(order, middles[loudest], {middles[one]: own for one, own in zip(shown, log_p, strict=True)})
 
 
-@lru_cache(maxsize=32)
-def _beats_of(seen: RunFeatures, top: float) -> tuple[_Beats, ...]:
-    return tuple(_each_block(seen, top))
+@lru_cache(maxsize=64)
+def _beats_of(seen: RunFeatures, top: float, joined: bool) -> tuple[_Beats, ...]:
+    return tuple(_of_pieces(seen, top, _joined(seen.run) if joined else [(each,) for each in _fitted_blocks(seen)]))
 
 
-def _each_block(seen: RunFeatures, top: float) -> Iterator[_Beats]:
-    run = seen.run
+def _fitted_blocks(seen: RunFeatures) -> Iterator[Block]:
     for segment in seen.segments:
-        for block in segment.blocks:
-            angle = np.abs(run.angle[block.samples] - run.angle[block.start])
-            residual = line_powers(run, block.samples, seen.places).residual
-            turned = float(angle[-1]) / (2 * pi)
-            spectrum = np.fft.rfft(residual - residual.mean())
-            ratios = [
-                _over_noise(_envelope(spectrum, residual.size, run.rate, centre), angle)
-                for centre in _centres(top).tolist()
-            ]
-            yield _Beats(tuple(ratios), 1 / max(turned, 1e-9), turned)
+        yield from segment.blocks
+
+
+def _joined(run: MeasuredRun) -> Iterator[tuple[Block, ...]]:
+    """Yield the blocks of a run that follow each other without a pause and without a reversal."""
+    piece = list[Block]()
+    for block in run.blocks:
+        ways = [float(np.sign(run.speed[each.samples].mean())) for each in (*piece[-1:], block)]
+        if piece and (piece[-1].stop != block.start or ways[0] != ways[1]):
+            yield tuple(piece)
+            piece = []
+        piece.append(block)
+    if piece:
+        yield tuple(piece)
+
+
+def _of_pieces(seen: RunFeatures, top: float, pieces: Iterable[Sequence[Block]]) -> Iterator[_Beats]:
+    run = seen.run
+    for blocks in pieces:
+        angle = np.abs(run.angle[blocks[0].start : blocks[-1].stop] - run.angle[blocks[0].start])
+        rest = [line_powers(run, block.samples, seen.places).residual for block in blocks]
+        residual = np.concatenate([each - each.mean() for each in rest])
+        turned = float(angle[-1]) / (2 * pi)
+        spectrum = np.fft.rfft(residual)
+        envelopes = (_envelope(spectrum, residual.size, run.rate, centre) for centre in _centres(top).tolist())
+        ratios = [_over_noise(_evened(each, len(blocks)), angle) for each in envelopes]
+        yield _Beats(tuple(ratios), 1 / max(turned, 1e-9), turned)
 
 
 def _centres(top: float) -> Floats:
@@ -109,6 +147,12 @@ def _envelope(spectrum: NDArray[np.complex128], size: int, rate: float, centre: 
     padded = np.zeros(2 * inside.size, dtype=complex)  # a squared envelope is twice as wide
     padded[: inside.size] = inside
     return np.asarray(np.abs(np.fft.ifft(padded)) ** 2)
+
+
+def _evened(envelope: Floats, parts: int) -> Floats:
+    """Return an envelope over its mean in each of so many parts: what grows with the speed is no beat."""
+    return np.concatenate([each / max(float(each.mean()), 1e-300) if each.size else each
+                           for each in np.array_split(envelope, parts)])  # fmt: skip
 
 
 def _over_noise(envelope: Floats, angle: Floats) -> Floats:
@@ -144,10 +188,18 @@ def _size(beats: _Beats, band: int, order: float) -> float:
 
 
 def _fundamental(beats: Sequence[_Beats], band: int, order: float, turns: float) -> float:
-    """Return the lowest order of which ``order`` is a multiple and whose other multiples beat too."""
+    """Return the lowest order of which ``order`` is a multiple and whose other multiples beat too.
+
+    Impacts whose strength changes with the turns of the shaft beat at whole orders, and so far from each multiple, as
+    well: what is not apart from those says nothing.
+    """
+    width = _MAIN_LOBE * max(each.step for each in beats) / turns
+    known = np.add.outer(order * np.arange(3), np.arange(-_SIDES, _SIDES + 1)).ravel()
     for part in range(_LARGEST_PART, 1, -1):
         others = np.array([each for each in range(1, 2 * part) if each % part]) * order / part
-        if np.mean([_at(each, band, others * turns) for each in beats]) > _BEATS:
+        others = others[np.abs(others[:, None] - known).min(axis=1) > width]
+        shown = np.mean([_at(each, band, others * turns) for each in beats], axis=0)
+        if shown.size and np.median(shown) > _BEATS:
             return order / part
     return order
 
