@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import exp, log
 from types import SimpleNamespace
 
@@ -25,6 +26,7 @@ from torquerig.inference.prediction.expected_run import ExpectedRun
 
 CHOSEN, SAME = Addition(mechanism="gear_mesh", label="72"), Addition(mechanism="gear_mesh", label="36")
 OTHER, NAMELESS = Addition(mechanism="commutation_ripple"), Addition(kind="line_family")
+NUMBER = Addition(kind="parameter")
 
 
 def outcome_of(*behind):
@@ -32,31 +34,41 @@ def outcome_of(*behind):
     return SimpleNamespace(model=SimpleNamespace(additions=(CHOSEN,), alternatives=alternatives))
 
 
-def test_the_confidence_of_a_name_is_its_share_of_the_posterior_mass():
+def test_a_name_far_ahead_of_all_others_is_as_sure_as_the_set_of_hypotheses_is_complete():
+    assert sure.confidence(outcome_of(), CHOSEN) == sure.COMPLETE
+    assert sure.confidence(outcome_of((NAMELESS, 200.0)), CHOSEN) == pytest.approx(sure.COMPLETE, rel=1e-4)
+
+
+def test_evidence_counts_for_less_than_its_nats_and_prior_odds_count_in_full():
+    apart = 4 * sure.TEMPER
+    by_evidence = sure.confidence(outcome_of((OTHER, apart)), CHOSEN)
+    by_prior = sure.confidence(outcome_of((replace(OTHER, log_odds=-4.0), 4.0)), CHOSEN)
+    assert by_evidence == pytest.approx(by_prior) == pytest.approx(sure.COMPLETE / (1 + exp(-4.0)))
+
+
+def test_the_nearest_of_another_class_lowers_the_confidence():
     outcome = outcome_of((SAME, 1.0), (OTHER, 5.0), (NAMELESS, 2.0))
-    own = 1 + exp(-1.0)
-    assert sure.confidence(outcome, CHOSEN) == pytest.approx(own / (own + exp(-5.0) + exp(-2.0)))
+    assert sure.confidence(outcome, CHOSEN) == pytest.approx(sure.COMPLETE / (1 + exp(-2.0 / sure.TEMPER)))
     assert sure.equivalent_to(outcome, CHOSEN) == []
 
 
-def test_a_class_has_the_mass_of_its_mechanisms():
+def test_a_class_has_the_mechanisms_that_are_near():
     outcome = outcome_of((OTHER, 0.1), (NAMELESS, 3.5))
     assert sure.equivalent_to(outcome, CHOSEN) == ["commutation_ripple"]
-    own = 1 + exp(-0.1)
-    assert sure.confidence(outcome, CHOSEN) == pytest.approx(own / (own + exp(-3.5)))
+    assert sure.confidence(outcome, CHOSEN) == pytest.approx(sure.COMPLETE / (1 + exp(-3.5 / sure.TEMPER)))
 
 
-@pytest.mark.parametrize(("gap", "listed"), [(1.0, ["line_family"]), (2.9, ["line_family"]), (3.1, [])])
-def test_a_nameless_line_that_is_near_is_said_and_lowers_the_confidence(gap, listed):
+@pytest.mark.parametrize(("gap", "listed"), [(0.0, ["line_family"]), (2.9, ["line_family"]), (3.1, [])])
+def test_a_name_is_reported_with_the_nameless_line_that_ties_with_it(gap, listed):
     nameless = Addition(kind="line_family", parts=(object(),))
     outcome = outcome_of((nameless, gap))
     assert sure.equivalent_to(outcome, CHOSEN) == listed
-    assert sure.confidence(outcome, CHOSEN) == pytest.approx(1 / (1 + exp(-gap)))
+    assert [each is CHOSEN for each in sure.named(outcome)] == [True]
 
 
 @pytest.mark.parametrize(("mass", "is_named"), [(0.59, False), (0.61, True)])
 def test_below_six_tenths_nothing_is_named(mass, is_named):
-    outcome = outcome_of((NAMELESS, -log(1 / mass - 1)))
+    outcome = outcome_of((NUMBER, -log(1 / mass - 1)))
     assert [each is CHOSEN for each in sure.named(outcome)] == ([True] if is_named else [])
     assert [each is CHOSEN for each in sure.nameless(outcome)] == ([] if is_named else [True])
 

@@ -76,8 +76,8 @@ def _ringing(twin: Twin) -> list[Ringing]:
 
 
 def _impacts(stage: Ringing, seen: RunFeatures) -> Floats:
-    """Return the impacts per second in each segment."""
-    return np.asarray(stage.order * stage.turns * np.abs(seen.speed) / (2 * pi))
+    """Return the impacts per second in each segment, whichever way the shaft turns."""
+    return np.asarray(stage.order * np.abs(stage.turns * seen.speed) / (2 * pi))
 
 
 def _in_rhythm(stage: Ringing, seen: RunFeatures, row: int, multiple: Floats) -> Floats:
