@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,7 +12,10 @@ from scipy.signal import lfilter
 from tests.inference.drawn_runs import drawn_run, steady
 from torquerig.inference.features.impacts import search_impacts
 from torquerig.inference.features.run_features import run_features
-from torquerig.inference.prediction.ringing import share_in_line
+from torquerig.inference.prediction.measuring_chain import crosstalk_lines
+from torquerig.inference.prediction.ringing import ringing_density, ringing_lines, share_in_line
+from torquerig.sensor_stages.crosstalk import Crosstalk
+from torquerig.sensor_stages.ringing import Ringing
 
 RATE = 2000.0
 
@@ -77,3 +81,21 @@ def test_impacts_that_the_load_makes_stronger_once_a_turn_keep_their_order():
     runs = [modulated(struck(3.31 / 20, seed=seed)) for seed in (7, 8)]
     impact = search_impacts([run_features(run, []) for run in runs], 1 / 20)
     assert impact.order == pytest.approx(3.31, abs=0.05)
+
+
+def behind(turns):
+    """Return what is expected of impacts and of bending at a shaft of so many turns per turn of the motor."""
+    stages = [
+        Ringing(order=6.3, frequency=340.0, damping=0.03, amplitude=0.1, slip=0.01, turns=turns, source="bearing"),
+        Crosstalk(once=0.1, turns=turns, source="bending"),
+    ]
+    ones = np.ones_like
+    twin = SimpleNamespace(rig=SimpleNamespace(stages=lambda: stages), amplifier_power=ones, amplifier=ones)
+    seen = run_features(drawn_run(1, speed=steady(1200)), [])
+    return ringing_density(twin, seen), ringing_lines(twin, seen).frequency, crosstalk_lines(twin, seen)[0]
+
+
+def test_a_gear_that_reverses_changes_neither_impacts_nor_bending():
+    forward, backward = behind(0.25), behind(-0.25)
+    assert forward[0].max() > 0
+    assert all(np.array_equal(*each) for each in zip(forward, backward, strict=True))

@@ -12,7 +12,9 @@ from math import exp, inf, log
 from torquerig.inference.addition import Addition
 from torquerig.inference.engine import Outcome
 
-COMPLETE = 0.93  # probability that the cause is among the hypotheses: of names far ahead of all others so many are right
+COMPLETE = (
+    0.93  # probability that the cause is among the hypotheses: of names far ahead of all others so many are right
+)
 TEMPER = 16.0  # [nats] of evidence that count for one
 LEAST = 0.6  # share of the mass below which a name is not printed (the contract's limit)
 ALIKE = log(20.0)  # [nats] of posterior odds: a hypothesis less far behind is not excluded (5 % against 95 %)
@@ -68,7 +70,7 @@ def _is_other_kind(each: Addition, other: Addition) -> bool:
 
 
 def share(outcome: Outcome, each: Addition) -> float:
-    """Return the share of the posterior mass of what an answer lists: the class, and what is near without a name [1]."""
+    """Return the share of the posterior mass that the class and what is near without a name have together [1]."""
     total = listed = 1.0
     names = {each.mechanism, *mechanisms_alike(outcome, each)}
     for other, gap in alternatives(outcome, each):

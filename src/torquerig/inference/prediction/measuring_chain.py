@@ -48,7 +48,7 @@ def crosstalk_lines(twin: Twin, seen: RunFeatures) -> tuple[Floats, Floats]:
     frequency, amplitude = list[Floats](), list[Floats]()
     for stage in twin.rig.stages():
         if isinstance(stage, Crosstalk):
-            shaft = stage.turns * turning
+            shaft = np.abs(stage.turns) * turning
             for order, size in ((1.0, stage.once), (2.0, stage.twice), (1.0, stage.once_by_speed_squared * shaft**2)):
                 if np.any(size):
                     at = order * shaft / (2 * pi)
