@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.inference.features.run_features import RunFeatures
+from torquerig.inference.prediction.acceleration_error import acceleration_covariance
 from torquerig.inference.prediction.gap_change import gap_change
-from torquerig.inference.prediction.kept_twin import clumping_of, level_balance, load_key, loads_of
+from torquerig.inference.prediction.kept_twin import clumping_of, level_balance, level_inertia, load_key, loads_of
 from torquerig.inference.prediction.line_features import line_features
 from torquerig.inference.prediction.measuring_chain import chain_noise, passed_by_logger
 from torquerig.inference.prediction.reading_courses import Courses, course_density, courses, slow_noise
@@ -119,6 +120,9 @@ def _by_twin(rig: Rig, seen: RunFeatures) -> ExpectedRun:
         spread = spread + covariance_of_lines(seen, each)
     wandering = slow_noise(twin.rig, seen)
     spread = spread if wandering is None else spread + wandering
+    accelerating = acceleration_covariance(seen)
+    if accelerating is not None:
+        spread = spread + np.outer(*2 * [level_inertia(twin, seen)]) * accelerating
     moving = not seen.run.is_steady and seen.level.size > 1
     level = balance.sensor.mean(axis=1) + _zero(twin.rig, seen)
     # parts of held-out blocks are left out between: the steepest slope that the two ends permit

@@ -49,6 +49,18 @@ def level_balance(twin: Twin, seen: RunFeatures) -> QuasiStatic:
     )  # fmt: skip
 
 
+def level_inertia(twin: Twin, seen: RunFeatures) -> Floats:
+    """Return the change of the torque in the reading per acceleration of the motor [kg m^2], shape (levels,)."""
+
+    def made() -> Floats:
+        more = quasi_static(
+            twin, speed=seen.level_speed, acceleration=seen.level_acceleration + 1.0, held=held_shares(twin, seen)
+        )
+        return np.asarray((more.sensor - level_balance(twin, seen).sensor).mean(axis=1))
+
+    return seen.kept.get("inertia", _slow_key(twin), made)
+
+
 def speed_balance(twin: Twin, seen: RunFeatures) -> QuasiStatic:
     """Return the slow torques at the speeds of each segment [N m], shape (segments x speeds,)."""
     speeds = seen.speeds.ravel()
