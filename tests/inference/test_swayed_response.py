@@ -14,6 +14,7 @@ from torquerig.cli.common_options import edited
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.measured_run import measured_runs
 from torquerig.inference.places import order
+from torquerig.inference.prediction import swayed_response
 from torquerig.inference.prediction.expected_run import expected_run
 from torquerig.linear_twin.twin import Twin, passed
 from torquerig.recordings.recording import Channel
@@ -60,3 +61,16 @@ def test_a_wander_below_a_flat_response_changes_nothing(tmp_path):
     constant = replace(seen, run=replace(seen.run, has_encoder=False, followed=np.inf))
     assert expected_run(rig, seen).line_power == pytest.approx(expected_run(rig, constant).line_power, rel=0.03)
     assert seen.lines.power[0, 1] == pytest.approx(expected_run(rig, seen).line_power[0, 1], rel=0.15)
+
+
+def test_what_is_kept_of_a_wandering_line_follows_the_response_and_not_its_size(tmp_path, monkeypatch):
+    rig, seen, _ = resonant(tmp_path, wander=0.004)
+    made, behind = list[object](), swayed_response._behind
+    monkeypatch.setattr(swayed_response, "_behind", lambda *args: made.append(args) or behind(*args))
+    first = expected_run(rig, seen)
+    stronger = expected_run(rig.changed(replace(LINE, amplitudes={ORDER: 0.2})), seen)
+    assert len(made) == 1
+    assert stronger.line_power[0, 1] == pytest.approx(4 * first.line_power[0, 1])
+    heavier = rig.changed(replace(rig.part("pump"), inertia=1.1 * rig.part("pump").inertia))
+    assert expected_run(heavier, seen).line_power == pytest.approx(expected_run(heavier, replace(seen)).line_power)
+    assert len(made) > 1

@@ -149,7 +149,7 @@ def _bands(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals
     shown = np.isfinite(seen.band_power) & (seen.band_count >= 1)
     density = np.log(np.maximum(model.density, _NOTHING))
     slope = np.gradient(density, np.log(seen.bands.middle), axis=1)[shown]
-    scatter, lower = _of_logarithm(seen.band_count[shown])
+    scatter, lower = seen.kept.get("bands by chance", None, lambda: _of_logarithm(seen.band_count[shown]))
     modulated = np.log1p(off.modulation**2 * model.near_bands[shown] / np.maximum(model.density[shown], _NOTHING))
     simulated = _shown(model.density_error, shown)
     sd = np.sqrt(scatter + off.band**2 + (off.mode * slope) ** 2 + modulated**2 + simulated**2)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import pi
@@ -80,6 +80,11 @@ class MeasuredRun:
     def kept(self) -> Kept:
         """What was simulated for this run."""
         return Kept()
+
+    @cached_property
+    def mean_speed(self) -> float:
+        """Mean speed of the motor, without its direction [rad/s]."""
+        return float(np.abs(self.speed).mean())
 
     @property
     def name(self) -> str:
@@ -173,7 +178,8 @@ def _measured_run(recording: Recording, angle: Floats, *, has_encoder: bool, fac
     course = np.full(speed.size, float(speed.mean())) if is_steady else speed
     blocks = blocks_of(course)
     if has_encoder and not is_steady:
-        blocks = tuple(block for block in blocks if _between_pulses(recording, block)) or blocks
+        within = _between_pulses(recording)
+        blocks = tuple(block for block in blocks if within(block)) or blocks
     pulses = _pulses(recording, angle) if has_encoder else float("inf")
     followed, noise = _followed(recording, speed, pulses) if has_encoder else (0.0, 0.0)
     return MeasuredRun(
@@ -192,11 +198,11 @@ def _pulses(recording: Recording, angle: Floats) -> float:
     return rising_edges(recording.channels[tacho].values).size / max(turns, 1e-9)
 
 
-def _between_pulses(recording: Recording, block: Block) -> bool:
+def _between_pulses(recording: Recording) -> Callable[[Block], bool]:
     """Return whether a block begins after the first pulse of a tacho and ends before the last one."""
     tacho = _tacho_of(recording)
     edges = np.zeros(0) if tacho is None else rising_edges(recording.channels[tacho].values)
-    return edges.size == 0 or bool(block.start >= edges[0] and block.stop <= edges[-1] + 1)
+    return lambda block: edges.size == 0 or bool(block.start >= edges[0] and block.stop <= edges[-1] + 1)
 
 
 def _followed(recording: Recording, speed: Floats, pulses: float) -> tuple[float, float]:

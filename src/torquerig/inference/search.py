@@ -67,7 +67,8 @@ def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple
     context = Context(model.fit, data, tuple(line for line in model.lines if lacks(model.fit, data, line.place)))
     taken = frozenset[str]().union(*(each.names for each in model.additions))
     free = [each for each in proposals(context) if not each.names & taken]
-    screened = sorted(((*_screened(context, each), each) for each in free), key=lambda one: -one[0])
+    gains = parallel_map(lambda each: _screened(context, each), free)
+    screened = sorted(((*gain, each) for gain, each in zip(gains, free, strict=True)), key=lambda one: -one[0])
     tried = tuple((each, gain) for gain, _, each in screened)
     slack = -log_prior(model.fit.off)  # that an addition gets back when it makes the discrepancy smaller
     fits = _fitted(model, data, [(each, start) for gain, start, each in screened if gain > -slack])

@@ -107,6 +107,7 @@ def on_grid(rig: Rig, terms: Sequence[Term]) -> Shafts:
         _solved[key] = _solve(rig.measured, structure)
         if len(_solved) > _KEPT:
             _solved.popitem(last=False)
+    _solved.move_to_end(key)
     return _solved[key]
 
 

@@ -9,6 +9,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.inference.features.hann_window import hann_window
+
 Floats = NDArray[np.float64]
 
 BANDS_PER_OCTAVE = 6
@@ -80,7 +82,7 @@ def _spectrum(residual: Floats, frequency: Floats, half_width: Floats, rate: flo
     """Return the density of each bin of a block, its straight line removed, and which bins hold no line."""
     time = np.linspace(-1.0, 1.0, residual.size)
     slope = float(residual @ time) / float(time @ time)
-    window = np.hanning(residual.size)
+    window = hann_window(residual.size)
     density = 2 * np.abs(np.fft.rfft((residual - residual.mean() - slope * time) * window)) ** 2
     density /= (window**2).sum() * rate
     counts = np.ones(density.size, dtype=bool)

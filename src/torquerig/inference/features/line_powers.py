@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.inference.features.hann_window import hann_window
 from torquerig.inference.features.line_places import line_frequencies, shown_places
 from torquerig.inference.features.regression import HANN_NOISE, regressed
 from torquerig.inference.features.waves import Waves
@@ -65,7 +66,7 @@ def line_powers(run: MeasuredRun, samples: slice, places: Sequence[Place]) -> Li
         shown = [index for index in shown if places[index].domain == "frequency"]
     power, bandwidth, half_width, leakage = (np.full(len(places), np.nan) for _ in range(4))
     waves = Waves([places[index] for index in shown], run.angle[samples], time)
-    window = np.hanning(torque.size)
+    window = hann_window(torque.size)
     found = regressed(torque, waves, window=np.where(lost, 0.0, window) if lost.any() else window)
     if lost.any():
         found = replace(found, rest=_continued(found.rest, lost))
@@ -115,7 +116,7 @@ def _leakage(rest: Floats, power: Floats, frequency: Floats, *, rate: float, lef
     share of the line that the regression leaves (an angle that was estimated does not follow the shaft exactly).
     """
     step = rate / rest.size
-    window = np.hanning(rest.size)
+    window = hann_window(rest.size)
     density = 2 * np.abs(np.fft.rfft(rest * window)) ** 2 / ((window**2).sum() * rate)
     answer = np.full(frequency.size, _RESOLVED)
     for row, at in enumerate(frequency.tolist()):
@@ -132,7 +133,7 @@ def _sum_smeared(
     lines: Sequence[int], smearing: float,
 ) -> None:  # fmt: skip
     """Put the power of lines that are wider than a bin into the three rows; neighbours share the bins between them."""
-    window = np.hanning(rest.size)
+    window = hann_window(rest.size)
     density = 2 * np.abs(np.fft.rfft(rest * window)) ** 2 / ((window**2).sum() * rate)
     step = rate / rest.size
     at = frequency[list(lines)]

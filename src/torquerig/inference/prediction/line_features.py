@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import pi
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,8 +13,8 @@ from scipy.special import spence
 
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.prediction.kept_twin import kept_skirts
-from torquerig.inference.prediction.line_routes import line_routes
-from torquerig.inference.prediction.rig_lines import SHIFT, rig_lines
+from torquerig.inference.prediction.line_routes import LineRoutes, line_routes
+from torquerig.inference.prediction.rig_lines import SHIFT, RigLines, rig_lines
 from torquerig.inference.prediction.skirts import core_of, density_of
 from torquerig.inference.prediction.slow_lines import UnshownLines
 from torquerig.linear_twin.twin import Twin
@@ -49,8 +51,7 @@ class LineFeatures:
 def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
     """Return where the lines of a rig show in the features of a run."""
     count, places = len(seen.segments), len(seen.places)
-    power, moved, varied, strongest, beating, aligned, noisy = (np.zeros((count, places)) for _ in range(7))
-    density, unshown = np.zeros((count, seen.bands.low.size)), list[UnshownLines]()
+    density, unshown, shown = np.zeros((count, seen.bands.low.size)), list[UnshownLines](), list[_Shown]()
     turning = np.maximum(np.abs(seen.speed) / (2 * pi), 1e-12)
     core, excluded = core_of(seen), seen.line_excluded
     for each in rig_lines(twin, seen):
@@ -67,27 +68,67 @@ def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
             kept = 1 - skirts.lost(each.frequency / turning, np.where(at, core[there], 0.0))
             hole = np.where(at, excluded[there], 0.0)
             density += density_of(skirts, seen, each.frequency, np.where(at | inside, 0.5 * each.square, 0.0), hole)
-        for total, values in (
-            (power, each.square), (moved, each.shifted), (varied, each.square * each.varied),
-            (beating, each.beats * each.square), (aligned, each.beats * each.square * routes.aligned),
-            (noisy, each.square * each.scatter),
-        ):  # fmt: skip
-            np.add.at(total, (row[at], routes.place[at]), (share * kept * values)[at])
-        np.maximum.at(strongest, (row[at], routes.place[at]), (each.beats * share * kept * each.square)[at])
+        if at.any():
+            shown.append(_shown(each, routes, at, row[at] * places + routes.place[at], share * kept))
         without = np.where(inside, 0.5 * kept * each.square, 0.0)
         swept = seen.swept if each.follows else np.ones((count, 2))
         density += _swept_density(seen, each.frequency, without, swept)
         if each.about is not None:
             density += np.einsum("ls,lsb->sb", np.where(at, 0.5 * each.square, 0.0), each.about)
         if count and not at.all():
-            orders = (each.frequency / (turning if each.follows else 1.0))[:, 0]
-            unshown.append(UnshownLines(orders, np.where(at, 0.0, 0.5 * each.square), each.follows))
+            which, square = (slice(None), each.square) if each.each is None else each.each
+            orders = (each.frequency / (turning if each.follows else 1.0))[which, 0]
+            unshown.append(UnshownLines(orders, np.where(at[which], 0.0, 0.5 * square), each.follows))
+    return LineFeatures(*_at_places(shown, seen), density, tuple(unshown))
+
+
+class _Shown(NamedTuple):
+    """What lines leave at the places of their segments, one entry for each, shape (entries,).
+
+    ``place`` counts the places of all segments; ``power``, ``shifted``, ``varied``, ``beats`` and ``noisy`` are shares
+    of the squares of ``RigLines``, ``aligned`` those that keep their phase to a line at the place.
+    """
+
+    place: NDArray[np.intp]
+    power: Floats
+    shifted: Floats
+    varied: Floats
+    beats: Floats
+    aligned: Floats
+    noisy: Floats
+
+
+def _shown(
+    each: RigLines, routes: LineRoutes, at: NDArray[np.bool_], place: NDArray[np.intp], share: Floats
+) -> _Shown:  # fmt: skip
+    own = share[at]
+    power = own * each.square[at]
+    beats = each.beats * power
+    scatter = np.broadcast_to(each.scatter, at.shape)[at]
+    return _Shown(
+        place, power, own * each.shifted[at], power * each.varied[at], beats, beats * routes.aligned[at],
+        power * scatter,
+    )  # fmt: skip
+
+
+def _at_places(shown: Sequence[_Shown], seen: RunFeatures) -> tuple[Floats, Floats, Floats, Floats]:
+    """Return power, slope, range and beat at the places, shape (segments, places) each."""
+    count, places = len(seen.segments), len(seen.places)
+    if not shown:
+        none = np.zeros((count, places))
+        return none, none.copy(), none.copy(), none.copy()
+    together = _Shown(*(np.concatenate(parts) for parts in zip(*shown, strict=True)))
+    power, moved, varied, beating, aligned, noisy = np.zeros((6, count, places))
+    for total, values in zip((power, moved, varied, beating, aligned, noisy), together[1:], strict=True):
+        total[:] = np.bincount(together.place, values, minlength=count * places).reshape(count, places)
+    strongest = np.zeros((count, places))
+    np.maximum.at(strongest.reshape(-1), together.place, together.beats)
     slope = np.log(np.maximum(moved, _NOTHING) / np.maximum(power, _NOTHING)) / SHIFT * (power > 0)
     beat = beat_variance(
         beating, strongest, np.where(aligned - strongest > 0.5 * (beating - strongest), 1.0, seen.lines.count)
     )
     beat = beat + noisy / np.maximum(power, _NOTHING) / np.maximum(seen.lines.count, 1.0)
-    return LineFeatures(power, slope, varied / np.maximum(power, _NOTHING), beat, density, tuple(unshown))
+    return power, slope, varied / np.maximum(power, _NOTHING), beat
 
 
 def beat_variance(power: Floats, strongest: Floats, count: Floats) -> Floats:

@@ -22,6 +22,7 @@ Floats = NDArray[np.float64]
 
 SHIFT = 0.01  # [1] of the frequencies of the modes, for a difference quotient
 _OF_EXPONENTIAL = pi**2 / 6  # variance of the logarithm of an exponential variate
+_DIGITS = 9  # of a frequency: lines that differ later have the same one
 _SLOWEST = 0.05  # of the slowest band: slower than this the response of the shafts is that at rest
 
 
@@ -33,7 +34,8 @@ class RigLines(NamedTuple):
     follow the shaft, that of ``node``. ``scatter`` is the variance of the logarithm of the square in one block [1], of
     lines that are noise in part, with the half-widths ``half_width`` [Hz]. Lines of a phase modulation
     do not beat with the line that they belong to: together they have a constant amplitude. ``about`` is the density
-    that each leaves in the bands, relative to its power [1/Hz], shape (lines, segments, bands).
+    that each leaves in the bands, relative to its power [1/Hz], shape (lines, segments, bands). Where lines of one
+    frequency are one line here, ``each`` says of which one each of them is part, and holds their mean squares.
     """
 
     frequency: Floats
@@ -46,13 +48,15 @@ class RigLines(NamedTuple):
     half_width: Floats | float = 0.0
     beats: bool = True
     about: Floats | None = None
+    each: tuple[NDArray[np.intp], Floats] | None = None
 
 
 def rig_lines(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
     """Yield the lines as they are recorded: those of the shafts, of the measuring chain, and its tones."""
     for each in _at_the_sensor(twin, seen):
         recorded = passed_by_logger(twin.rig, each.frequency)
-        yield each._replace(square=recorded * each.square, shifted=recorded * each.shifted)
+        own = None if each.each is None else (each.each[0], recorded[each.each[0]] * each.each[1])
+        yield each._replace(square=recorded * each.square, shifted=recorded * each.shifted, each=own)
 
 
 def _at_the_sensor(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
@@ -104,5 +108,13 @@ def _of_shafts(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
         yield RigLines(frequency[own], square[own], shifted[own], varied[own], True, node, about=about)
     for node in dict.fromkeys(side.nodes):
         own = np.array(side.nodes) == node
-        there = side.square[own]
-        yield RigLines(side.frequency[own], there, there, np.zeros(there.shape), True, node, beats=False)
+        yield _of_equal_orders(side.frequency[own], side.square[own], node)
+
+
+def _of_equal_orders(frequency: Floats, square: Floats, node: str) -> RigLines:
+    """Return side lines with one line for each frequency: n + m and n - m of many pairs are the same order."""
+    different, first, which = np.unique(np.round(frequency[:, 0], _DIGITS), return_index=True, return_inverse=True)
+    together = np.zeros((different.size, square.shape[1]))
+    np.add.at(together, which, square)
+    none = np.zeros(together.shape)
+    return RigLines(frequency[first], together, together, none, True, node, beats=False, each=(which, square))

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import pi
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -96,14 +97,33 @@ def density_of(skirts: Skirts, seen: RunFeatures, frequency: Floats, power: Floa
 
 def _per_power(skirts: Skirts, seen: RunFeatures, frequency: Floats, excluded: Floats) -> Floats:
     """Return the same per power of each line [1/Hz], shape (segments, lines, bands)."""
+    key = (frequency.shape, frequency.tobytes(), excluded.tobytes())
+    edges = seen.kept.get("edges", key, lambda: _edges_of(seen, frequency, excluded))
+    outside = edges.side * (skirts.lost(edges.order, edges.apart) - skirts.lost(edges.order, edges.hole))
+    return np.asarray(np.diff(outside, axis=2) * edges.per_width)
+
+
+class _Edges(NamedTuple):
+    """Where the edges of the bands are next to lines, arrays of shape (segments, lines, edges).
+
+    ``apart`` is the distance of each edge [Hz], the half-width ``hole`` [Hz] of what the bands leave out at least;
+    ``side`` is 1 above the line and -1 below it, and ``order`` that of the line. ``per_width`` is minus half the
+    inverse width of each band [1/Hz], 0 where a hole leaves nothing of it, shape (segments, lines, bands).
+    """
+
+    order: Floats
+    apart: Floats
+    hole: Floats
+    side: Floats
+    per_width: Floats
+
+
+def _edges_of(seen: RunFeatures, frequency: Floats, excluded: Floats) -> _Edges:
     turning = np.maximum(np.abs(seen.speed) / (2 * pi), 1e-12)
     order = (frequency / turning).T[..., None]
     at, hole = frequency.T[..., None], excluded.T[..., None]
-    apart = np.append(seen.bands.low, seen.bands.high[-1:]) - at  # of the edges of the bands
-    lost, beyond_hole = skirts.lost(order, np.maximum(np.abs(apart), hole)), skirts.lost(order, hole)
-    shared, width = np.zeros((2, *at.shape[:2], seen.bands.low.size))
-    for way in (1, -1):  # bands above the line, and below it
-        beyond = np.where(way * apart > 0, lost, beyond_hole)
-        shared -= 0.5 * way * np.diff(beyond, axis=2)
-        width += way * np.diff(np.maximum(way * apart, hole), axis=2)
-    return np.where(width > 0, shared / np.maximum(width, 1e-12), 0.0)
+    above = np.append(seen.bands.low, seen.bands.high[-1:]) - at
+    apart, side = np.maximum(np.abs(above), hole), np.sign(above)
+    width = np.diff(side * (apart - hole), axis=2)
+    per_width = np.where(width > 0, -0.5 / np.maximum(width, 1e-12), 0.0)
+    return _Edges(order, apart, hole, side, per_width)

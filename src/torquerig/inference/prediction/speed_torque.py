@@ -33,7 +33,7 @@ def wander_power(twin: Twin, seen: RunFeatures) -> Floats:
     run, grid = seen.run, twin.shafts.frequency
     if not (run.wander and run.is_steady):
         return np.zeros(grid.size)
-    rms = run.wander * float(np.abs(run.speed).mean())
+    rms = run.wander * run.mean_speed
     wander = rms**2 / (run.wander_cutoff * pi / sqrt(8)) / (1 + (grid / run.wander_cutoff) ** 4)
     return _passed(twin, grid) * wander
 

@@ -14,7 +14,7 @@ Willsky 1997, Signals and Systems, 4).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from math import pi
@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from torquerig.inference.blocks import Block
 from torquerig.inference.features.run_features import RunFeatures
-from torquerig.linear_twin.twin import LineSource, passed
+from torquerig.linear_twin.twin import LineSource, Passage, passed
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -70,34 +70,54 @@ def swayed_lines(
     if not steep.any():
         return None
     kept, about = np.ones(gain.shape), np.zeros((*gain.shape, seen.bands.low.size))
+    first = {id(lines[row].transfer): lines[row].transfer for row in np.flatnonzero(steep.any(axis=1)).tolist()}
+    passages = {each: _content(passage) for each, passage in first.items()}
     for row, segment in zip(*np.nonzero(steep), strict=True):
-        order = lines[row].order
-        make = partial(_waves, seen, order, segment, float(spread[segment]))
-        waves = seen.kept.get(f"waves of segment {segment}", order, make)
-        if waves:
-            at = np.concatenate([wave.frequency for wave in waves])
-            response = passed([lines[row].transfer], at[None])[0] / gain[row, segment]
-            kept[row, segment], about[row, segment] = _behind(waves, response, seen, segment)
+        line, size = lines[row], float(gain[row, segment])
+        make = partial(_line_behind, seen, line, segment, float(spread[segment]), size)
+        key = line.order, size, passages[id(line.transfer)]
+        found = seen.kept.get(f"behind, segment {segment}, order {line.order:.9g}", key, make)
+        kept[row, segment], about[row, segment] = found
     return SwayedLines(kept, about)
+
+
+def _content(passage: Passage) -> tuple[Hashable, ...]:
+    """Return all that a transfer depends on, equal for equal ones of different twins."""
+    answer = None if passage.answer is None else passage.answer.tobytes()
+    twin = passage.twin
+    return twin.shafts.frequency.tobytes(), passage.response.tobytes(), answer, passage.slower, twin.cutoff, twin.scale
+
+
+def _line_behind(
+    seen: RunFeatures, line: LineSource, segment: int, spread: float, gain: float
+) -> tuple[float, Floats]:  # fmt: skip
+    """Return the relative power of a line in a segment, and the density in each band relative to it."""
+    waves = seen.kept.get(
+        f"waves of segment {segment}, order {line.order:.9g}", line.order,
+        lambda: _waves(seen, line.order, segment, spread),
+    )  # fmt: skip
+    if not waves:
+        return 1.0, np.zeros(seen.bands.low.size)
+    at = np.concatenate([wave.frequency for wave in waves])
+    return _behind(waves, passed([line.transfer], at[None])[0] / gain, seen, segment)
 
 
 @dataclass(frozen=True, eq=False)
 class _Wave:
-    """A source that turns with the measured angle in a block and its margins, about its mean frequency ``middle`` [Hz].
+    """A source that turns with the measured angle in a block and its margins, about its mean frequency.
 
-    ``wave`` and its transform ``spectrum`` have the shape (samples,); the components are at ``frequency`` [Hz], samples
-    follow at ``rate`` [Hz], and those of the block are ``inside``. Its frequency is between ``slowest`` and ``fastest``
-    [Hz] there.
+    Its transform ``spectrum`` has the components ``frequency`` [Hz], shape (samples,). Of the block itself, ``inside``,
+    are the wave ``source``, the ``window`` of the lines and of the bands, and the band of each component,
+    ``bands.size`` where it is in none. The bands leave out ``hole`` of their widths [Hz], shape (bands,).
     """
 
-    wave: Complex
     spectrum: Complex
     frequency: Floats
-    middle: float
-    rate: float
     inside: slice
-    slowest: float
-    fastest: float
+    source: Complex
+    window: Floats
+    band: NDArray[np.intp]
+    width: Floats
 
 
 def _spread(seen: RunFeatures) -> Floats:
@@ -116,11 +136,16 @@ def _waves(seen: RunFeatures, order: float, segment: int, spread: float) -> tupl
     every = int(seen.run.rate / (2 * reach))
     if every < 1 or middle <= reach:
         return ()
-    made = (_wave(seen, order, block, middle, every) for block in seen.segments[segment].blocks)
+    nearest = int(np.argmin(np.abs(seen.line_frequency[segment] - middle)))
+    leakage = float(seen.line_excluded[segment, nearest])
+    blocks = seen.segments[segment].blocks
+    made = (_wave(seen, block, order, middle=middle, every=every, leakage=leakage) for block in blocks)
     return tuple(wave for wave in made if wave is not None)
 
 
-def _wave(seen: RunFeatures, order: float, block: Block, middle: float, every: int) -> _Wave | None:
+def _wave(
+    seen: RunFeatures, block: Block, order: float, *, middle: float, every: int, leakage: float
+) -> _Wave | None:  # fmt: skip
     run, margin = seen.run, int(_MARGIN * (block.stop - block.start))
     start = max(block.start - margin, 0)
     count = (min(block.stop + margin, run.angle.size) - start) // every
@@ -133,9 +158,14 @@ def _wave(seen: RunFeatures, order: float, block: Block, middle: float, every: i
     wave: Complex = np.exp(1j * phase.reshape(count, every).mean(axis=1))
     rate = run.rate / every
     speed = order / (2 * pi) * np.abs(run.speed[block.samples])
+    without = float(speed.min()) - leakage, float(speed.max()) + leakage  # these bins the bands leave out
+    source, edges = wave[inside], np.append(seen.bands.low, seen.bands.high[-1:])
+    at = middle + np.fft.fftfreq(source.size, 1 / rate)
+    band = np.searchsorted(edges, at, side="right") - 1
+    band[(band < 0) | ((at >= without[0]) & (at <= without[1]))] = seen.bands.low.size
     return _Wave(
-        wave, np.fft.fft(wave), np.asarray(middle + np.fft.fftfreq(count, 1 / rate)), middle, rate, inside,
-        slowest=float(speed.min()), fastest=float(speed.max()),
+        np.fft.fft(wave), np.asarray(middle + np.fft.fftfreq(count, 1 / rate)), inside, source,
+        np.hanning(source.size + 2)[1:-1], band, np.diff(edges) - np.diff(np.clip(edges, *without)),
     )  # fmt: skip
 
 
@@ -143,24 +173,17 @@ def _behind(
     waves: Sequence[_Wave], response: Complex, seen: RunFeatures, segment: int
 ) -> tuple[float, Floats]:  # fmt: skip
     """Return the relative power of the line, and the density in each band relative to it, behind a response."""
-    low, high = seen.bands.low, seen.bands.high
-    edges, kept, first = np.append(low, high[-1:]), 0.0, 0
-    summed, width = np.zeros(low.size), np.zeros(low.size)
-    nearest = int(np.argmin(np.abs(seen.line_frequency[segment] - waves[0].middle)))
-    leakage = float(seen.line_excluded[segment, nearest])
+    count, kept, first = seen.bands.low.size, 0.0, 0
+    summed, width = np.zeros(count), np.zeros(count)
     for each in waves:
         own = response[first : first + each.frequency.size]
         first += each.frequency.size
         out = np.fft.ifft(each.spectrum * own)[each.inside]
-        window = np.hanning(out.size + 2)[1:-1]  # that of the lines and of the bands
-        mean = np.average(out * each.wave[each.inside].conj(), weights=window)
-        rest = window * (out - mean * each.wave[each.inside])
-        at = each.middle + np.fft.fftfreq(rest.size, 1 / each.rate)
-        hole = np.clip(edges, each.slowest - leakage, each.fastest + leakage)  # these bins the bands leave out
-        outside = (at < each.slowest - leakage) | (at > each.fastest + leakage)
-        power = np.square(np.abs(np.fft.fft(rest))) / (rest.size * np.square(window).sum())
-        summed += np.histogram(at[outside], edges, weights=power[outside])[0]
-        width += np.diff(edges) - np.diff(hole)
+        mean = (each.window * each.source.conj()) @ out / each.window.sum()
+        rest = np.fft.fft(each.window * (out - mean * each.source))
+        power = (np.square(rest.real) + np.square(rest.imag)) / (rest.size * float(each.window @ each.window))
+        summed += np.bincount(each.band, power, minlength=count + 1)[:count]
+        width += each.width
         kept += float(abs(mean) ** 2)
     bins = len(waves) / float(seen.durations[segment])  # less than a bin in each block shows nothing
     density = np.where(width > bins, summed / np.maximum(width, bins), 0.0)

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from math import atanh
 
 import numpy as np
@@ -37,7 +38,9 @@ def held_shares(twin: Twin, seen: RunFeatures) -> Mapping[str, Floats] | None:
     """
     if not seen.level_speed.size or not seen.level_speed.min() < 0 < seen.level_speed.max():
         return None
-    return {each.node: _at_moments(seen, each) for each in _held(twin)}
+    return {
+        each.node: seen.kept.get(f"held by {each.node}", each, partial(_at_moments, seen, each)) for each in _held(twin)
+    }
 
 
 @dataclass(frozen=True)
@@ -76,14 +79,20 @@ def compliance(twin: Twin, node: str) -> float:
 
 
 def _at_moments(seen: RunFeatures, each: _Held) -> Floats:
-    angle = seen.run.angle
-    at = np.linspace(0, angle.size - 1, min(_MOMENTS, angle.size))
-    turned = each.turns * np.interp(at, np.arange(angle.size), angle)
+    at, angle = seen.run.kept.get("angle at moments", None, lambda: _angle_at_moments(seen))
+    turned = each.turns * angle
     slip = each.smoothing * (at[1] - at[0]) / seen.run.rate
     held = share_held(turned, each.wound, slip)
     share = np.linspace(0.0, 1.0, POINTS)
     moments = seen.parts[:, :1] + share * (seen.parts[:, 1:] - 1 - seen.parts[:, :1])
     return np.asarray(np.interp(moments, at, held))
+
+
+def _angle_at_moments(seen: RunFeatures) -> tuple[Floats, Floats]:
+    """Return the samples at which the operator is followed, and the angle of the motor there [rad]."""
+    angle = seen.run.angle
+    at = np.linspace(0, angle.size - 1, min(_MOMENTS, angle.size))
+    return at, np.asarray(np.interp(at, np.arange(angle.size), angle))
 
 
 def share_held(angle: Floats, wound: float, slip: float) -> Floats:
