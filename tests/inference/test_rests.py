@@ -67,3 +67,12 @@ def test_rests_that_do_not_depend_on_the_width_leave_the_prior():
 def test_rests_of_a_rig_without_a_gap_speak_against_one():
     found = estimated_width([simulated(0.25, seed=1)], WIDTHS, median=6.0, spread=1.2)
     assert found.gain < -3.0
+
+
+def test_rests_that_one_width_explains_well_determine_it_better():
+    exact = [simulated(3.0, seed=one, scatter=0.003) for one in range(4)]
+    rough = [SimulatedRests(each.measured + np.array([0.3, 0.3]), each.simulated) for each in exact]
+    narrow, wide = (estimated_width(each, WIDTHS, median=6.0, spread=1.2) for each in (exact, rough))
+    assert narrow.low < 3.0 < narrow.high
+    assert narrow.high / narrow.low < 1.1
+    assert wide.high / wide.low > 1.5
