@@ -7,7 +7,10 @@ import pytest
 
 from tests.inference.drawn_runs import drawn_run, steady
 from torquerig.inference.features.run_features import run_features
-from torquerig.inference.load_spectrum import gain_shapes
+from torquerig.inference.load_spectrum import COURSE_SD, gain_shapes
+from torquerig.inference.prediction.hit_courses import hit_courses
+from torquerig.mechanisms.particle_load import ParticleProcess
+from torquerig.rig.terms import Load
 
 ERROR = 0.1  # [1] of the logarithm of a band's density
 
@@ -42,3 +45,18 @@ def test_a_narrow_peak_is_no_load(spectrum):
     at, shape = spectrum
     peak = 2.0 * (np.arange(at.size) == at.size // 2)
     assert nats(shape, peak) > 0.8 * nats(np.zeros_like(shape), peak)
+
+
+def test_the_course_of_hits_is_a_parameter():
+    process = ParticleProcess(mean=2.0, rate=50.0, decay=0.005, shape=1.5, hit_rms=0.1, slow_rms=0.0, slow_cutoff=1.0)
+    run = drawn_run(1, speed=steady(1000))
+    seen = run_features(run, [])
+    shape, bands = gain_shapes(seen, run=0, runs=[run]), seen.bands
+    load = Load(name="load", on="motor", process=process)
+    changes = hit_courses([load], bands)
+    gains = shape.courses[0] / COURSE_SD  # half a sine
+    zero = 1.5 / (0.5 * np.pi * process.decay)
+    inside = (bands.low < zero) & (bands.high > zero)
+    assert (shape.courses @ gains) @ changes == pytest.approx(changes[0])
+    assert changes[0, inside] < changes[0, bands.middle < 0.5 * zero].min() - 2.0
+    assert changes[:, 0] == pytest.approx(np.log([2 / np.pi, 0.75]), abs=0.02)  # energies of the pulses

@@ -8,6 +8,10 @@ cutoff does the same, but to lines too. u_k and c_k are the same in all runs. v_
 run. The variance that slow loads leave in the levels is multiplied by ``exp(v_r + s)``, s the same in all runs, normal
 with ``SLOW_SD``: what a load does in a second says little of what it does in a minute. A model discrepancy in the sense
 of Kennedy & O'Hagan 2001 (J. R. Stat. Soc. B 63), written as parameters: their prior is its covariance.
+
+Hits of another course than the model's (``prediction/hit_courses.py``) change the density by ``exp(sum_j b_j r_j(f))``,
+r_j the logarithm of the density with the course j over that of the model: b_j = 1 is this course, 0 the model's. b_j is
+normal with ``COURSE_SD``.
 """
 
 from __future__ import annotations
@@ -21,6 +25,7 @@ from numpy.typing import NDArray
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.measured_run import MeasuredRun
 from torquerig.inference.prediction.expected_run import ExpectedRun
+from torquerig.inference.prediction.hit_courses import COURSES
 
 Floats = NDArray[np.float64]
 
@@ -29,6 +34,7 @@ CORNER_SD = 0.5  # [1] of the power of a second-order low-pass: above a corner a
 RUN_SD = 0.4  # [1] of the logarithm of the density in one run
 SLOW_SD = 1.0  # [1] of the logarithm of the variance of slow loads
 EXPONENT_SD = 2.0  # [1] of the exponent: turbulence goes with the fourth power of the speed, hits of grains with none
+COURSE_SD = 1.0  # [1] either course is as likely as the model's
 _OCTAVES = 2.0  # between two neighbouring triangles
 _SLOWEST = 0.02  # [1] of the largest speed: slower than this no power law holds
 _TRIANGLES = 8  # the last one has its middle at half the largest sample rate
@@ -43,10 +49,13 @@ class GainShapes:
     bands : ndarray, shape (segments, bands, gains)
     levels : ndarray, shape (gains,)
         Of the variance of the levels.
+    courses : ndarray, shape (courses, gains)
+        Shares of other courses of hits.
     """
 
     bands: Floats
     levels: Floats
+    courses: Floats
 
     @property
     def count(self) -> int:
@@ -55,7 +64,7 @@ class GainShapes:
 
     def acts(self, gain: int) -> bool:
         """Return whether a gain changes anything."""
-        return bool(self.bands[:, :, gain].any() or self.levels[gain])
+        return bool(self.bands[:, :, gain].any() or self.levels[gain] or self.courses[:, gain].any())
 
 
 def gain_shapes(seen: RunFeatures, *, run: int, runs: Sequence[MeasuredRun]) -> GainShapes:
@@ -74,12 +83,14 @@ def gain_shapes(seen: RunFeatures, *, run: int, runs: Sequence[MeasuredRun]) -> 
     shape = (speed.size, at.size)
     columns = [
         np.broadcast_to(spectrum, (*shape, spectrum.shape[1])),
+        np.zeros((*shape, COURSES)),
         np.broadcast_to(own, (*shape, len(runs))),
         np.broadcast_to(EXPONENT_SD * slower[:, None, None], (*shape, 1)),
         np.zeros((*shape, 1)),
     ]
-    levels = np.concatenate([np.zeros(spectrum.shape[1]), own, [0.0, SLOW_SD]])
-    return GainShapes(np.concatenate(columns, axis=2), levels)
+    levels = np.concatenate([np.zeros(spectrum.shape[1] + COURSES), own, [0.0, SLOW_SD]])
+    courses = COURSE_SD * np.eye(COURSES, levels.size, k=spectrum.shape[1])
+    return GainShapes(np.concatenate(columns, axis=2), levels, courses)
 
 
 def _corners(runs: Sequence[MeasuredRun]) -> Floats:
@@ -90,7 +101,8 @@ def _corners(runs: Sequence[MeasuredRun]) -> Floats:
 
 def with_gains(model: ExpectedRun, shape: GainShapes, gains: Floats) -> ExpectedRun:
     """Return the expectation with the random load's density multiplied; ``gains`` in standard deviations."""
-    factor, slow = np.exp(shape.bands @ gains), float(np.exp(shape.levels @ gains))
+    factor = np.exp(shape.bands @ gains + (shape.courses @ gains) @ model.hit_courses)
+    slow = float(np.exp(shape.levels @ gains))
     density = model.density * (1 + model.load_share * (factor - 1))
     return replace(
         model, density=density, load_share=model.load_share * factor * model.density / density,

@@ -128,6 +128,23 @@ class ParticleProcess:
         turned = 2 * pi * frequencies
         hits = 4 * (self.decay + self.rise) * self.hit_rms**2 / (1 + (turned * self.decay) ** 2)
         hits = hits / (1 + (turned * self.rise) ** 2)
+        return np.asarray(self.mean**2 * (hits + self._slow_density(frequencies)))
+
+    def _slow_density(self, frequencies: NDArray[np.float64]) -> NDArray[np.float64]:
         noise_bandwidth = self.slow_cutoff * pi / (2 * sqrt(2))
-        slow = self.slow_rms**2 / noise_bandwidth / (1 + (frequencies / self.slow_cutoff) ** 4)
-        return np.asarray(self.mean**2 * (hits + slow))
+        return np.asarray(self.slow_rms**2 / noise_bandwidth / (1 + (frequencies / self.slow_cutoff) ** 4))
+
+    def shaped_densities(self, frequencies: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the same density with hits of other courses, shape (courses, *frequencies.shape).
+
+        Half a sine of the length ``pi d / 2`` and a straight fall of the length ``2 d``, d the decay: both have the
+        impulse of the exponential decay, and here its rms. A pulse of finite length has zeros in its spectrum (any
+        table of Fourier transforms; Bracewell 2000, *The Fourier Transform and Its Applications*).
+        """
+        turned = 2 * pi * np.maximum(frequencies, 1e-9 / self.decay) * self.decay
+        half = 0.25 * pi * (np.sinc(0.25 * turned - 0.5) + np.sinc(0.25 * turned + 0.5))
+        fall = (1 - (1 - np.exp(-2j * turned)) / (2j * turned)) / turned
+        energies = (0.25 * pi, 2 / 3)  # of each pulse over its decay; that of the exponential one is 1/2
+        hits = [2 * self.decay / energy * np.abs(one) ** 2 for one, energy in zip((half, fall), energies, strict=True)]
+        slow = self._slow_density(frequencies)
+        return np.asarray(self.mean**2 * np.array([self.hit_rms**2 * each + slow for each in hits]))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.prediction.acceleration_error import acceleration_covariance
 from torquerig.inference.prediction.gap_change import gap_change
+from torquerig.inference.prediction.hit_courses import COURSES, hit_courses
 from torquerig.inference.prediction.kept_twin import clumping_of, level_balance, level_inertia, load_key, loads_of
 from torquerig.inference.prediction.line_features import line_features
 from torquerig.inference.prediction.measuring_chain import chain_noise, passed_by_logger
@@ -44,6 +45,8 @@ class ExpectedRun:
         Mean one-sided density without the lines that have a place [(N m)^2/Hz].
     load_share : ndarray, shape (segments, bands)
         Share of it that random loads and changes of the speed make [1].
+    hit_courses : ndarray, shape (courses, bands)
+        Logarithm of the density of random loads with hits of another course, over the one above [1].
     level : ndarray, shape (levels,)
         [N m]
     level_covariance : ndarray, shape (levels, levels)
@@ -90,6 +93,7 @@ class ExpectedRun:
     line_error: Floats | float = 0.0
     density_error: Floats | float = 0.0
     level_error: Floats | float = 0.0
+    hit_courses: Floats = field(default_factory=lambda: np.zeros((COURSES, 1)))
 
 
 def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
@@ -128,12 +132,13 @@ def _by_twin(rig: Rig, seen: RunFeatures) -> ExpectedRun:
     # parts of held-out blocks are left out between: the steepest slope that the two ends permit
     steepest = np.abs(np.gradient(level)) / np.maximum(seen.level_duration, 1e-9) if moving else 0.0 * level
     changing = np.where(seen.level_neighbours, steepest[None], 0.0).max(axis=1)
-    own = _range_about_line(balance.sensor)
+    own, loads = _range_about_line(balance.sensor), loads_of(twin.rig)
+    courses_of_hits = seen.kept.get("hits", loads, lambda: hit_courses(loads, seen.bands))
     density = density + lines.density
     expected = ExpectedRun(
         line_power=lines.power, line_slope=lines.slope, line_range=lines.varied, line_beat=lines.beat, density=density,
         load_share=load / density, level=level, level_covariance=spread, slow_load=slow_load, level_rate=changing,
-        load_clumping=clumping_of(twin.rig), level_range=own,
+        load_clumping=clumping_of(twin.rig), level_range=own, hit_courses=courses_of_hits,
         near_lines=np.einsum("sp,spq->sq", lines.power, seen.side_places),
         near_bands=np.einsum("sp,spb->sb", 0.5 * lines.power, seen.side_bands) / (seen.bands.high - seen.bands.low),
     )  # fmt: skip
