@@ -116,3 +116,14 @@ def test_a_strong_line_is_placed_between_the_bins(low, offset):
     (found,) = search_lines(runs, [], [nothing] * 2)[:1]
     at = found.place.at if found.place.domain == "order" else found.place.at * 60 / 1000
     assert at == pytest.approx(place, abs=0.15 * 3 / turned)  # bins of the longest blocks in a row, a third of the run
+
+
+def test_blocks_of_a_segment_show_the_same_lines():
+    # slow blocks of a reversal whose angle was not measured smear an order over a tenth of its frequency or more
+    turning = 150 * np.sin(4 * np.pi * np.arange(24000) / 24000)
+    run = replace(drawn_run(9, speed=turning, orders={18.0: 0.3}, noise=NOISE), has_encoder=False)
+    recording = replace(run.recording, run=replace(run.recording.run, profile="reversal"))
+    seen = run_features(replace(run, recording=recording), [order(18.0)], held_out=True)
+    shown = [(segment.line_count[0], len(segment.blocks)) for segment in seen.segments]
+    assert any(count == 0 for count, _ in shown)
+    assert all(count in (0, blocks) for count, blocks in shown)

@@ -50,6 +50,14 @@ class LinePowers:
     residual: Floats
 
 
+def apart_by_lines(group: Sequence[int], found: Sequence[LinePowers]) -> list[list[int]]:
+    """Return the blocks of a group apart that show other lines; a line that a block does not show is in its bands."""
+    parts = dict[bytes, list[int]]()
+    for row in group:
+        parts.setdefault(np.isfinite(found[row].power).tobytes(), []).append(row)
+    return list(parts.values())
+
+
 def line_powers(run: MeasuredRun, samples: slice, places: Sequence[Place]) -> LinePowers:
     """Return the lines at ``places`` in the samples of a block.
 

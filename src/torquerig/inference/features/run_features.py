@@ -14,7 +14,7 @@ from torquerig.inference.blocks import STANDSTILL, Block, permitted_range
 from torquerig.inference.features.bands import Bands, bands
 from torquerig.inference.features.level_motion import level_motion
 from torquerig.inference.features.line_places import line_frequencies
-from torquerig.inference.features.line_powers import LinePowers, line_powers
+from torquerig.inference.features.line_powers import LinePowers, apart_by_lines, line_powers
 from torquerig.inference.features.segment import LineTable, Segment
 from torquerig.inference.features.side_lines import may_be_beside
 from torquerig.inference.kept import Kept
@@ -221,7 +221,8 @@ def _features(
     run: MeasuredRun, places: Sequence[Place], blocks: Sequence[Block], groups: Sequence[Sequence[int]]
 ) -> RunFeatures:
     found = [line_powers(run, block.samples, places) for block in blocks]
-    segments = tuple(_segment(run, places, [(blocks[row], found[row]) for row in rows]) for rows in groups)
+    alike = [rows for group in groups for rows in apart_by_lines(group, found)]
+    segments = tuple(_segment(run, places, [(blocks[row], found[row]) for row in rows]) for rows in alike)
     edges = [np.linspace(block.start, block.stop, _PARTS_OF_BLOCK + 1).astype(int) for block in blocks]
     pairs = [pair for each in edges for pair in pairwise(each.tolist())]
     rest = [lines.residual[low - block.start : high - block.start]
