@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from torquerig.diagnosis import believed
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 
 
 def missed(*runs: str, axis: str = "V") -> Mismatch:

@@ -11,10 +11,11 @@ import pytest
 
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.set_points import off_set_points
-from torquerig.diagnosis.sheet_ratio import at_ratio_of, off_ratios
+from torquerig.diagnosis.sheet_ratio import off_ratios
 from torquerig.errors import RecordingError
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
+from torquerig.scenario.recorded.gear_ratio import at_ratio_of
 
 ANGLE = 40.0 * np.arange(20000) / 5000.0
 NOISE = 1e-3 * np.random.default_rng(1).standard_normal(ANGLE.size)

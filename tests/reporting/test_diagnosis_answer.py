@@ -1,14 +1,18 @@
 """The first screen of a diagnosis, from its JSON: each verdict, both engines."""
 
+from types import SimpleNamespace
+
 import pytest
 
-from torquerig.diagnosis.showing.effect_at_sensor import EffectAtSensor
+from torquerig.reporting.diagnosis.likelihood.first_screen import first_screen
 from torquerig.reporting.diagnosis.page_answer import diagnosis_answer
 from torquerig.reporting.diagnosis.sentences import fact_text
 
 FIT = {"before": {"heldout_misfit": 4.0, "nominal": 5.0}, "after": {"heldout_misfit": 0.9}}
 MESH = {"mechanism": "gear_mesh", "confidence": 0.97, "equivalent_to": [], "next_experiment": None, "parameters": {}}
-EFFECT = EffectAtSensor(0.123, "N*m", "The findings change the reading by 0.123 N m rms (simulated).")
+EFFECT = SimpleNamespace(
+    rms=0.123, unit="N*m", sentence="The findings change the reading by 0.123 N m rms (simulated)."
+)
 SCALE = {
     "kind": "sensor_scale", "of": "torque_sensor", "stated": 1.0, "confidence": 0.97, "equivalent_to": [],
     "estimated": {"value": 2.0, "ci95": [1.98, 2.02], "unit": "1"},
@@ -82,3 +86,17 @@ def test_many_findings_are_counted():
 def test_a_wrong_number_is_called_by_its_name_and_another_fact_by_its_kind():
     assert fact_text({"kind": "parameter", "of": "motor.inertia"}) == "motor.inertia"
     assert fact_text({"kind": "sensor_scale", "of": "flange"}) == "sensor scale of flange"
+
+
+def test_without_a_simulation_the_largest_finding_states_the_change_of_the_reading():
+    small = {**MESH, "mechanism": "cogging", "size": {"value": 0.01, "unit": "N*m"}}
+    large = {**MESH, "size": {"value": 0.2, "unit": "N*m"}}
+    figure = diagnosis_answer(data("missing_physics", small, large), percent=False).figures[0]
+    assert (figure.value, figure.note) == ("0.2 N m", "rms, by gear mesh")
+
+
+def test_the_first_screen_of_a_measured_motion_states_the_error_and_a_residual_in_per_cent():
+    rms = {"unit": "N", "before": 3.0, "after": 0.5}
+    shown = first_screen(data("missing_physics", MESH, rms=rms, unnamed=[]), percent=True)
+    assert "The error on held-out data changes from 3 to 0.5 N rms." in shown.sentences
+    assert [one.value for one in shown.figures] == ["3 to 0.5 N", "97 %", "400 % to 90 %"]

@@ -22,11 +22,11 @@ from torquerig.diagnosis.showing.comparison_curves import held_spans, line_wave,
 from torquerig.document import read_document
 from torquerig.mechanisms import GearMesh, TorqueRipple
 from torquerig.recordings.recording import Recording
-from torquerig.reporting.diagnosis.line_labels import FOUND, KNOWN, line_labels
-from torquerig.reporting.diagnosis.page import diagnosis_page
+from torquerig.reporting.diagnosis.mismatch_figure import mismatch_picture
 from torquerig.reporting.diagnosis.parameter_tables import fitted_parameters_table, unit_of
-from torquerig.reporting.diagnosis.pictures import mismatch_picture
-from torquerig.reporting.diagnosis.residual_figure import has_residuals
+from torquerig.reporting.diagnosis.rules.line_labels import FOUND, KNOWN, line_labels
+from torquerig.reporting.diagnosis.rules.page import diagnosis_page
+from torquerig.reporting.diagnosis.rules.residual_figure import has_residuals
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.simulator import simulate

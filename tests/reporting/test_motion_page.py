@@ -22,13 +22,13 @@ from torquerig.diagnosis.showing.motion_curves import level_over_speed, telling_
 from torquerig.diagnosis.showing.motion_lines import lines_compared
 from torquerig.recordings.files import write_recording
 from torquerig.recordings.recording import Channel, Recording
-from torquerig.reporting.diagnosis.motion_lines_figure import motion_lines_figure
-from torquerig.reporting.diagnosis.motion_page import motion_page
-from torquerig.reporting.diagnosis.motion_position_figure import motion_position_figure
-from torquerig.reporting.diagnosis.motion_residual_figure import motion_residual_figure
-from torquerig.reporting.diagnosis.motion_speed_figure import motion_speed_figure
-from torquerig.reporting.diagnosis.motion_window_figure import motion_window_figure
 from torquerig.reporting.diagnosis.parameter_tables import added_parameters_table, fitted_parameters_table
+from torquerig.reporting.diagnosis.rules.motion_lines_figure import motion_lines_figure
+from torquerig.reporting.diagnosis.rules.motion_page import motion_page
+from torquerig.reporting.diagnosis.rules.motion_position_figure import motion_position_figure
+from torquerig.reporting.diagnosis.rules.motion_residual_figure import motion_residual_figure
+from torquerig.reporting.diagnosis.rules.motion_speed_figure import motion_speed_figure
+from torquerig.reporting.diagnosis.rules.motion_window_figure import motion_window_figure
 from torquerig.reporting.figures.picture import svg
 
 pytestmark = pytest.mark.long  # one whole diagnosis for the file

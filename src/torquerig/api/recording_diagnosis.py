@@ -6,14 +6,13 @@ import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
+from torquerig.api.diagnosis_values import Finding, HeldOutResidual, finding_of, mismatch_of, residual_of
 from torquerig.api.inputs import recording_from, scenario_from
 from torquerig.api.result import Result
-from torquerig.diagnosis.any_rig import AnyOutcome, diagnosed
-from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
-from torquerig.diagnosis.outcome import Finding, HeldOut, Mismatch, as_json
 from torquerig.errors import InputError
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.model import Scenario
 from torquerig.whole_file import whole_file
@@ -21,6 +20,8 @@ from torquerig.whole_file import whole_file
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
+
+    from torquerig.reporting.diagnosis.diagnosed import Diagnosed
 
 MOST_WORKERS = 4  # where the caller states none: each holds some 200 MB
 
@@ -33,53 +34,49 @@ class Answer(Result):
     ----------
     scenario : Scenario
         The nominal rig.
-    outcome : Outcome or MotionOutcome
-        Models before and after, and all that was tested.
-    seed : int
-        Fixed every random number.
+    diagnosed : Diagnosed
+        The diagnosis in the contract's form, the completed rig, and what draws both.
+    command : str
+        Call that reproduces it, for the page.
     """
 
     scenario: Scenario
-    outcome: AnyOutcome
-    seed: int
+    diagnosed: Diagnosed
+    command: str
 
     @property
     def verdict(self) -> str:
-        """``adequate``, ``missing_physics`` or ``unexplained``."""
-        return self.outcome.diagnosis.verdict
+        """``adequate``, ``missing_physics``, ``unexplained`` or ``setup_error``."""
+        return str(self.diagnosed.data["verdict"])
 
     @property
     def findings(self) -> tuple[Finding, ...]:
         """The effects that the scenario leaves out, each with its parameters and confidence."""
-        return self.outcome.diagnosis.findings
+        return tuple(map(finding_of, self.diagnosed.data["findings"]))
 
     @property
     def mismatch(self) -> tuple[Mismatch, ...]:
         """Where recordings and model differ."""
-        return self.outcome.diagnosis.mismatch
+        return tuple(map(mismatch_of, self.diagnosed.data["mismatch"]))
 
     @property
-    def fit(self) -> HeldOut:
+    def fit(self) -> HeldOutResidual:
         """Residuals of held-out data: nominal, calibrated and completed model."""
-        return self.outcome.diagnosis.fit
+        return residual_of(self.diagnosed.data["fit"])
 
     @property
     def model(self) -> Scenario | None:
         """The completed scenario, which simulates; None where nothing was added."""
-        if not self.outcome.completes:
+        completed = self.diagnosed.completed
+        if completed is None:
             return None
         known = {part.name for part in self.scenario.rig.parts}
-        added = tuple(part for part in self.outcome.completed.parts if part.name not in known)
-        return replace(
-            self.scenario, rig=self.outcome.completed, added=(*self.scenario.added, *added), uncertainties={},
-        )  # fmt: skip
+        added = tuple(part for part in completed.parts if part.name not in known)
+        return replace(self.scenario, rig=completed, added=(*self.scenario.added, *added), uncertainties={})
 
     def summary(self) -> str:
-        """Return the verdict in a sentence."""
-        from torquerig.reporting.diagnosis.sentences import FEATURE_RESIDUAL, MOTION_RESIDUAL, verdict_sentence
-
-        measure = MOTION_RESIDUAL if isinstance(self.outcome, MotionOutcome) else FEATURE_RESIDUAL
-        return verdict_sentence(self.outcome.diagnosis, self.outcome.left, measure=measure)
+        """Return the verdict in sentences."""
+        return self.diagnosed.sentence
 
     def to_frame(self) -> pd.DataFrame:
         """Return one row per parameter of each finding, with its 95 % interval."""
@@ -98,9 +95,7 @@ class Answer(Result):
 
     def as_dict(self) -> dict[str, Any]:
         """Return the diagnosis in the form of its JSON schema."""
-        if isinstance(self.outcome, MotionOutcome):
-            return self.outcome.as_json()
-        return as_json(self.outcome.diagnosis)
+        return dict(self.diagnosed.data)
 
     def plot(self) -> Figure:
         """Return the share of the residual by place: where recordings and model differ."""
@@ -112,24 +107,15 @@ class Answer(Result):
 
     def report(self, path: str | Path) -> Path:
         """Write the page of the diagnosis, one HTML file, and return its path."""
-        from torquerig.diagnosis.showing.effect_at_sensor import effect_at_sensor
-        from torquerig.reporting.diagnosis.motion_page import motion_page
-        from torquerig.reporting.diagnosis.page import diagnosis_page
-
-        again = f"torquerig.diagnose({self.scenario.document.path.name!r}, [...], seed={self.seed})"
-        title, seed = self.scenario.title, self.seed
-        effect = effect_at_sensor(self.outcome, nominal=self.scenario.rig, seed=seed)
-        if isinstance(self.outcome, MotionOutcome):
-            page = motion_page(self.outcome, title=title, command=again, model=None, seed=seed, effect=effect)
-        else:
-            page = diagnosis_page(self.outcome, title=title, command=again, model=None, seed=seed, effect=effect)
+        page = self.diagnosed.page(self.diagnosed.data, command=self.command, model=None)
         with whole_file(Path(path)) as partial:
             partial.write_text(page, encoding="utf-8", newline="\n")
         return Path(path)
 
 
 def diagnose(
-    scenario: Scenario | str | Path, recordings: Sequence[Recording | str | Path], *, seed: int = 0,
+    scenario: Scenario | str | Path, recordings: Sequence[Recording | str | Path], *,
+    engine: Literal["rules", "likelihood"] = "rules", held_out: Sequence[str] = (), seed: int = 0,
     workers: int | None = None, progress: Callable[[str], None] = lambda _: None,
 ) -> Answer:  # fmt: skip
     """Return which physics a scenario leaves out, by recordings of its rig, and how much better the model gets.
@@ -140,6 +126,11 @@ def diagnose(
         The nominal rig.
     recordings : sequence of Recording or path
         Runs of one rig; several speeds and loads separate most effects.
+    engine : str
+        How hypotheses are compared: ``rules`` or ``likelihood``.
+    held_out : sequence of str
+        Names of recordings that are not fitted and judge the models; only of the engine ``likelihood``, which without
+        them holds out a third of each recording.
     seed : int
         Fixes every random number.
     workers : int, optional
@@ -169,13 +160,19 @@ def diagnose(
     ['mains_interference']
     """
     from torquerig.parallel import parallel_processes
+    from torquerig.reporting.diagnosis.by_engine import diagnosed_by
 
     made = scenario_from(scenario)
     read = [recording_from(one) for one in recordings]
     if not read:
         raise InputError("a diagnosis needs at least one recording")
+    if held_out and engine == "rules":
+        raise InputError("held_out needs engine='likelihood'; the other engine holds out parts of every recording")
     if len({one.name for one in read}) < len(read):
         read = [replace(one, name=f"{place}: {one.name}") for place, one in enumerate(read, start=1)]
     with parallel_processes(workers or min(os.cpu_count() or 1, MOST_WORKERS)):
-        outcome = diagnosed(made, read, seed=seed, progress=progress)
-    return Answer(scenario=made, outcome=outcome, seed=seed)
+        found = diagnosed_by(engine, made, read, held_out=held_out, seed=seed, progress=progress)
+    how = f"engine={engine!r}, seed={seed}" if engine != "rules" else f"seed={seed}"
+    return Answer(
+        scenario=made, diagnosed=found, command=f"torquerig.diagnose({made.document.path.name!r}, [...], {how})"
+    )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import shlex
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -24,7 +24,6 @@ from torquerig.scenario.writing import scenario_text, write_scenario
 from torquerig.whole_file import whole_file
 
 if TYPE_CHECKING:
-    from torquerig.cli.diagnose_parts.diagnosed import Diagnosed
     from torquerig.recordings.recording import Recording
     from torquerig.rig.assembly import Rig
     from torquerig.scenario.model import Scenario
@@ -90,8 +89,9 @@ def command(
                written=foreign)  # fmt: skip
         return
     from torquerig.cli.progress import stages
-    from torquerig.diagnosis.outcome import SCHEMA
+    from torquerig.inference.answer.document import SCHEMA
     from torquerig.parallel import parallel_processes
+    from torquerig.reporting.diagnosis.by_engine import diagnosed_by
 
     target = model or _model_of(out)
     written = [(target, _MARK)] if target else []
@@ -103,7 +103,8 @@ def command(
     made = read_scenario(edited(scenario, settings), catalog_for(scenario, catalogs), seed=seed)
     read = _read(recordings)
     with stages("diagnose") as progress, parallel_processes(workers or min(os.cpu_count() or 1, _MOST_WORKERS)):
-        found = _ENGINES[engine](made, read, held_out, seed, progress)
+        names = [one.name for one in held_out]
+        found = diagnosed_by(engine, made, read, held_out=names, seed=seed, progress=progress)
     data = {**found.data}
     data["provenance"] = _provenance((*recordings, *map(sidecar_path, recordings), scenario), scenario, catalogs, seed)
     if found.completed is not None and target is not None:
@@ -142,26 +143,6 @@ def _write_model(target: Path, completed: Rig, made: Scenario) -> None:
         completed, title=made.title, operating_point=made.document.data.get("operating_point", {}), head=_HEAD
     )
     write_scenario(target, text, overwrite=True)
-
-
-def _by_rules(
-    scenario: Scenario, recordings: Sequence[Recording], _: Sequence[Path], seed: int, progress: Callable[[str], None]
-) -> Diagnosed:
-    from torquerig.cli.diagnose_parts.by_rules import diagnosed_by_rules
-
-    return diagnosed_by_rules(scenario, recordings, seed=seed, progress=progress)
-
-
-def _by_likelihood(
-    scenario: Scenario, recordings: Sequence[Recording], held_out: Sequence[Path], seed: int,
-    progress: Callable[[str], None],
-) -> Diagnosed:  # fmt: skip
-    from torquerig.cli.diagnose_parts.by_likelihood import diagnosed_by_likelihood
-
-    return diagnosed_by_likelihood(scenario, recordings, held_out=held_out, seed=seed, progress=progress)
-
-
-_ENGINES: Mapping[str, Callable[..., Diagnosed]] = {"rules": _by_rules, "likelihood": _by_likelihood}
 
 
 def _model_of(out: str | None) -> Path | None:

@@ -20,18 +20,19 @@ from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.null_table import null_table, without_table
 from torquerig.diagnosis.opening import followed, opened
-from torquerig.diagnosis.outcome import Mismatch
 from torquerig.diagnosis.own_gap import OwnGap, closed
 from torquerig.diagnosis.sample_findings import SampleFindings, sample_findings
 from torquerig.diagnosis.sentences import MECHANISMS
 from torquerig.diagnosis.set_points import off_set_points
-from torquerig.diagnosis.sheet_ratio import at_ratio_of, off_ratios
+from torquerig.diagnosis.sheet_ratio import off_ratios
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.inference.knobs import unvaried, with_free_load
 from torquerig.inference.rig_under_test import check_recordings, check_rig
 from torquerig.parallel import parallel_map
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario
+from torquerig.scenario.recorded.gear_ratio import at_ratio_of
 
 Progress = Callable[[str], None]
 

@@ -29,7 +29,8 @@ from torquerig.diagnosis.judging.withdrawn import (
     why_withdrawn,
 )
 from torquerig.diagnosis.looking.features import Features
-from torquerig.diagnosis.outcome import HeldOut, Mismatch
+from torquerig.diagnosis.outcome import HeldOut
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.rig.assembly import Rig
 
 # reasons that hold beside numbers that stand still, which explain no more of a rest

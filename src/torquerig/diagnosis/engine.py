@@ -14,8 +14,9 @@ from torquerig.diagnosis.judging.last_questions import last_question
 from torquerig.diagnosis.judging.whole_fit import misfit_as_a_whole
 from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.outcome import Diagnosis, Finding, Mismatch, UsedRecording, Verdict
+from torquerig.diagnosis.outcome import Diagnosis, Finding, UsedRecording, Verdict
 from torquerig.diagnosis.sample_findings import SampleFindings
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario

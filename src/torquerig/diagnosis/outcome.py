@@ -6,22 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from torquerig.inference.answer.mismatch import Mismatch
+
 SCHEMA = "torquerig.diagnosis/1"
 Verdict = Literal["adequate", "missing_physics", "unexplained"]
-
-
-@dataclass(frozen=True, kw_only=True)
-class Mismatch:
-    """One place where recordings and model differ, as the contract states it."""
-
-    domain: str
-    axis: str
-    at: float
-    width: float
-    recordings: tuple[str, ...]
-    excess_dB: float  # noqa: N815 (the contract's name)
-    share_of_misfit: float
-    p_value: float
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.detectors import examined
 from torquerig.recordings.repair.faults import Fault

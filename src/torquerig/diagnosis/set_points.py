@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from math import log10, pi
 
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.recordings.recording import Recording
 
 SPEED_ERROR = 0.01  # of a set-point, where the scenario states no largest error

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from math import log10
 
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.orders_standing_out import chances_of_orders, taken_together, turns_of
-from torquerig.diagnosis.outcome import Mismatch
 from torquerig.errors import InputError, RecordingError, TorquerigError
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.linear_twin.twin import Twin
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
@@ -19,14 +18,6 @@ from torquerig.scenario.kinematics import kinematics_of, shaft_turns_to
 _RATIO_KEPT = 0.02
 _TOLD = 1e-4  # chance of lines at all orders of a ratio, below which they tell it
 _RESOLVED = 3.0  # bins between two lines
-
-
-def at_ratio_of(recordings: Sequence[Recording], rig: Rig) -> list[Recording]:
-    """Return the recordings as runs of the rig's gear ratio up to the sensor, whatever their sheets say of it."""
-    if not gear_stages(rig):
-        return [*recordings]
-    ratio = kinematics_of(rig).ratio
-    return [replace(recording, run=replace(recording.run, gear_ratio=ratio)) for recording in recordings]
 
 
 def off_ratios(recordings: Sequence[Recording], runs: Sequence[Observed], rig: Rig) -> Iterator[tuple[str, Mismatch]]:

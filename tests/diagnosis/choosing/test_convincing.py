@@ -22,7 +22,7 @@ from torquerig.diagnosis.judging import leftover
 from torquerig.diagnosis.judging.leftover import detail_of
 from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.null_table import NullTable
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.inference.places import order
 from torquerig.mechanisms import CommutationRipple, StribeckFriction, TorsionalMode
 from torquerig.rig.assembly import Rig

@@ -10,7 +10,7 @@ from torquerig.diagnosis.choosing import one_of_many as judging
 from torquerig.diagnosis.choosing.one_of_many import one_of_many
 from torquerig.diagnosis.choosing.trial import Trial
 from torquerig.diagnosis.fitting.calibration import Calibrated
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.inference.places import frequency, order
 from torquerig.scenario.model import Scenario
 

@@ -13,7 +13,7 @@ from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.choosing import secondary
 from torquerig.diagnosis.choosing.secondary import hump_of_a_tone, small_beside, stands_in_simulations
 from torquerig.diagnosis.choosing.trial import Trial
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.inference.places import Place, frequency, order
 from torquerig.mechanisms import Backlash, MainsInterference, QuadraticDrag, SensorBandwidth, SensorDrift, TorsionalMode
 

@@ -6,7 +6,8 @@ import pytest
 
 from torquerig.diagnosis.judging.both_ways import rings_both_ways
 from torquerig.diagnosis.judging.withdrawn import why_withdrawn
-from torquerig.diagnosis.outcome import HeldOut, Mismatch
+from torquerig.diagnosis.outcome import HeldOut
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.mechanisms import TorsionalMode
 from torquerig.scenario.model import Scenario
 

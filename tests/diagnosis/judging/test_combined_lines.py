@@ -11,7 +11,7 @@ import pytest
 from torquerig.diagnosis.beginning import begun
 from torquerig.diagnosis.case import Candidate, Case
 from torquerig.diagnosis.judging.combined_lines import may_be_combined
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.inference.places import Place, order
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.model import Scenario

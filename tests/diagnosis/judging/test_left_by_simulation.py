@@ -21,8 +21,8 @@ from torquerig.diagnosis.judging.leftover import mismatches
 from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.lines_left import known_places
 from torquerig.diagnosis.looking.observed import Observed, observed
-from torquerig.diagnosis.outcome import Mismatch
 from torquerig.errors import SimulationError
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.inference.motor_angle.shaft_angle import shaft_angles
 from torquerig.inference.places import order
 from torquerig.mechanisms import Backlash, BearingDefect, Cogging, QuadraticDrag, SensorDrift

@@ -15,7 +15,7 @@ from scipy.signal import butter, lfilter
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.judging.load_over_time import load_over_time
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 
 RATE, LENGTH, SPEED = 2000.0, 12.0, 105.0
 TIME = np.arange(int(RATE * LENGTH)) / RATE

@@ -12,7 +12,7 @@ from torquerig.diagnosis.fitting.calibration import Calibrated
 from torquerig.diagnosis.judging.one_gain import one_gain
 from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.inference.places import order
 from torquerig.scenario.model import Scenario
 

@@ -14,7 +14,7 @@ from torquerig.diagnosis.judging.slow_rhythm import slow_rhythm
 from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.peaks import Peak
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.inference.places import frequency, order
 from torquerig.scenario.model import Scenario
 

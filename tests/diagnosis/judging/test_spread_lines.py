@@ -13,7 +13,7 @@ from torquerig.diagnosis.fitting.calibration import Calibrated
 from torquerig.diagnosis.judging.spread_lines import spread_line
 from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.inference.places import order
 from torquerig.scenario.model import Scenario
 

@@ -9,7 +9,8 @@ from typing import Any, cast
 import pytest
 
 from torquerig.diagnosis.judging.withdrawn import why_withdrawn
-from torquerig.diagnosis.outcome import HeldOut, Mismatch
+from torquerig.diagnosis.outcome import HeldOut
+from torquerig.inference.answer.mismatch import Mismatch
 
 SOMEWHERE = (cast(Mismatch, object()),)
 AT_A_MOMENT, A_LINE = (cast(Mismatch, SimpleNamespace(domain=domain)) for domain in ("time", "order"))

@@ -1,4 +1,1 @@
-"""Parts of ``torquerig diagnose``.
-
-by_rules, by_likelihood   the two engines, with their answers in words and pages     diagnosed   what both return
-"""
+"""Parts of ``torquerig diagnose``: ``check_likelihood`` says what recordings would show, before a diagnosis."""

@@ -12,7 +12,7 @@ from torquerig.diagnosis.case import Candidate, Case
 from torquerig.diagnosis.choosing.trial import LEAST_GAIN, Trial
 from torquerig.diagnosis.judging.by_simulation import left_and_fall, left_by_simulation
 from torquerig.diagnosis.judging.leftover import mismatches, stands_at
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.inference.places import Place
 from torquerig.rig.assembly import Part
 

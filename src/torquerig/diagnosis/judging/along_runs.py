@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.recordings.repair.common_dropouts import moments_without_signal
 
 PARTS = 10  # of each run

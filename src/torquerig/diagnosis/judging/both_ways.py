@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.rig.assembly import Rig
 
 _NARROW = 0.5  # of its middle: a wider stretch of a spectrum is wrong for other reasons

@@ -24,8 +24,8 @@ from torquerig.diagnosis.looking.flights_beyond_lines import flights_beyond_line
 from torquerig.diagnosis.looking.from_zero import undrifted
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.without_tones import without_tones
-from torquerig.diagnosis.outcome import Mismatch
 from torquerig.errors import SimulationError
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.rig.assembly import Rig
 
 _SEEDS = (11,)

@@ -17,7 +17,7 @@ from scipy.stats import t as student
 
 from torquerig.diagnosis.judging.along_runs import PARTS, SHORTEST, at_their_end, unbroken
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 
 Floats = NDArray[np.float64]
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.case import Candidate, Case
 from torquerig.diagnosis.looking.features import Features
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.inference.places import SAME_ORDER, Place
 
 _OF_THE_MOTOR = frozenset({"commutation_ripple", "cogging"})

@@ -16,7 +16,7 @@ from scipy.stats import t as student
 from torquerig.diagnosis.judging.along_runs import PARTS, at_their_end, unbroken
 from torquerig.diagnosis.looking.observed import Observed, Stretch
 from torquerig.diagnosis.looking.stretch_lines import shown_places
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.inference.features.regression import regressed
 from torquerig.inference.features.waves import Waves
 from torquerig.inference.places import RESOLVED_WELL, Place

@@ -8,7 +8,7 @@ from torquerig.diagnosis.judging.numbers_far_off import number_far_off
 from torquerig.diagnosis.judging.one_gain import one_gain
 from torquerig.diagnosis.judging.slow_rhythm import slow_rhythm
 from torquerig.diagnosis.judging.spread_lines import spread_line
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 
 
 def last_question(case: Case) -> tuple[str, Mismatch] | None:

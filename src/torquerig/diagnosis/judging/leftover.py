@@ -23,7 +23,7 @@ from torquerig.diagnosis.looking.bands import BANDS_PER_OCTAVE
 from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.flights import BY_CHANCE, CLEARLY, UNDRIVEN
 from torquerig.diagnosis.looking.flights_beyond_lines import flights_beyond_lines
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.inference.places import SAME_ORDER, Place
 from torquerig.recordings.repair.moments import moments_of
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.judging.chance import by_chance
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.recordings.repair.robust_spread import spread_about_median
 
 Floats = NDArray[np.float64]

@@ -21,7 +21,7 @@ from torquerig.diagnosis.judging.band_excess import BandExcess, band_excesses
 from torquerig.diagnosis.judging.chance import by_chance
 from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.order_or_fixed import ONE_SPEED
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 
 Floats = NDArray[np.float64]
 

@@ -16,7 +16,7 @@ from math import log10, pi
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.fitting.calibration import LIMIT
 from torquerig.diagnosis.judging.chance import by_chance
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.inference.knobs import HARDLY_ANY, Knob
 from torquerig.mechanisms import ParticleLoad
 

@@ -16,7 +16,7 @@ from scipy.stats import t as student
 
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.looking.features import Features
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.recordings.repair.robust_spread import spread_about_zero
 
 Floats = NDArray[np.float64]

@@ -23,7 +23,7 @@ from torquerig.diagnosis.judging.band_excess import BandExcess, band_excesses
 from torquerig.diagnosis.judging.chance import by_chance
 from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.kept import kept
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.recordings.repair.common_dropouts import moments_without_signal
 
 Floats = NDArray[np.float64]

@@ -15,8 +15,8 @@ from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.expecting.simulated import simulated
 from torquerig.diagnosis.judging.chance import by_chance
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.outcome import Mismatch
 from torquerig.errors import SimulationError
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.recordings.repair.common_dropouts import moments_without_signal
 from torquerig.recordings.repair.short_spectra import short_spectra
 from torquerig.rig.assembly import Rig

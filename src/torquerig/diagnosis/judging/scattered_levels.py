@@ -17,7 +17,7 @@ from scipy.stats import chi2
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.fitting.misfit import robust_squares
 from torquerig.diagnosis.judging.chance import beyond_chance
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 
 _FEWEST = 8  # stretches
 _CHANCE, _UNDER_LOAD = 1e-3, 1e-6  # a load wanders by a law of its own, which the model knows by its power alone

@@ -18,7 +18,7 @@ from scipy.stats import gamma
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.peaks import beside_lines
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 
 Floats = NDArray[np.float64]
 

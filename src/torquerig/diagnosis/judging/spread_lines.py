@@ -24,7 +24,7 @@ from torquerig.diagnosis.looking.spread_heights import (
     spectrum_beside,
     spread_heights,
 )
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.inference.places import Place
 
 Floats = NDArray[np.float64]

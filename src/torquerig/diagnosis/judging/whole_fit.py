@@ -12,7 +12,7 @@ from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.fitting.calibration import misfits_of
 from torquerig.diagnosis.fitting.misfit import Misfit, missed_alone, robust_squares
 from torquerig.diagnosis.looking.features import Features
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 
 _LARGEST = 1.1  # held-out misfit; of 130 blind rigs with nothing hidden, of four programs, the largest was 0.89
 FAR = 1.5  # the same, beyond which something is missing, or what was found has missed the most of it

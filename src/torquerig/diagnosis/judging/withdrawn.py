@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 from torquerig.diagnosis.judging.leftover import at_whole_order
 from torquerig.diagnosis.judging.share_explained import LEAST_SHARE
-from torquerig.diagnosis.outcome import HeldOut, Mismatch
+from torquerig.diagnosis.outcome import HeldOut
+from torquerig.inference.answer.mismatch import Mismatch
 
 _WORSE = 1.01  # of the held-out misfit before: nothing is named with which it grows
 _NO_BETTER = 0.98  # of it: less than so much of a fall is none, for what is there foretells at least twice as much

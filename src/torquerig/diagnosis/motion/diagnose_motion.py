@@ -25,7 +25,8 @@ from torquerig.diagnosis.motion.set_aside import set_aside
 from torquerig.diagnosis.motion.sign_smoothed import knobs_of_the_sign
 from torquerig.diagnosis.motion.told import finding, relative_error
 from torquerig.diagnosis.motion.tried import Refused, Step
-from torquerig.diagnosis.outcome import Diagnosis, HeldOut, Mismatch, UsedRecording, Verdict, as_json
+from torquerig.diagnosis.outcome import Diagnosis, HeldOut, UsedRecording, Verdict, as_json
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.inference.knobs import Knob, nuisance_knobs, unvaried
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig

@@ -16,7 +16,7 @@ from torquerig.diagnosis.motion.evidence import root_mean_square
 from torquerig.diagnosis.motion.fitted import FittedMotion
 from torquerig.diagnosis.motion.lines import in_a_line
 from torquerig.diagnosis.motion.moved import STRETCHES, Moved
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 
 Floats = NDArray[np.float64]
 

@@ -12,7 +12,7 @@ from torquerig.diagnosis.motion.level import BINS, level_off
 from torquerig.diagnosis.motion.lines import Line, in_a_line, lines_in, moving
 from torquerig.diagnosis.motion.moved import Moved
 from torquerig.diagnosis.motion.steps import step_in
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 
 _TRACE = 0.005  # of what a model leaves: lines that have less of it are the detail of something else
 _LITTLE = 0.007  # of the rms effort: what nobody models

@@ -6,9 +6,10 @@ from collections.abc import Sequence
 
 from matplotlib.figure import Figure
 
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.reporting.diagnosis.sentences import p_value_text, place_text
-from torquerig.reporting.figures.picture import new_figure
+from torquerig.reporting.figures.page_picture import Picture
+from torquerig.reporting.figures.picture import new_figure, picture
 
 COLOURS = {
     "order": "#0072b2", "frequency": "#e69f00", "time": "#7a68a6", "speed": "#56b4e9", "level": "#d55e00",
@@ -21,6 +22,19 @@ _LEAST = 5e-4  # [1] a smaller share is written as 0.0 %
 def has_visible_share(mismatches: Sequence[Mismatch]) -> bool:
     """Return whether any bar is longer than zero."""
     return any(one.share_of_misfit >= _LEAST for one in mismatches)
+
+
+def mismatch_picture(listed: Sequence[Mismatch]) -> Picture | None:
+    """Return the shares of the squared residual by place, or None where no place has a visible share."""
+    if not has_visible_share(listed):
+        return None
+    which = "Each place" if len(listed) <= MOST else f"The {MOST} largest of {len(listed)} places"
+    return picture(
+        mismatch_figure(listed),
+        caption=f"{which} where recordings and calibrated model differ, by share of the squared residual.",
+        alt_text="bars of the shares of the squared residual by place, largest first",
+        name="differences_by_place",
+    )
 
 
 def mismatch_figure(mismatches: Sequence[Mismatch]) -> Figure:

@@ -7,9 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
-from torquerig.diagnosis.showing.effect_at_sensor import EffectAtSensor
 from torquerig.reporting.diagnosis.sentences import fact_text, mechanism_text
 from torquerig.reporting.layout import plain
 from torquerig.study.answer.what_to_do import LargeFigure
@@ -36,6 +35,22 @@ _NEXT = {
 }
 
 
+class ReadingChange(Protocol):
+    """How much the findings change the reading."""
+
+    @property
+    def rms(self) -> float:
+        """In ``unit``."""
+
+    @property
+    def unit(self) -> str:
+        """As the contract writes it."""
+
+    @property
+    def sentence(self) -> str:
+        """Says how it was determined."""
+
+
 @dataclass(frozen=True, kw_only=True)
 class DiagnosisAnswer:
     """What the first screen of a diagnosis shows."""
@@ -45,13 +60,13 @@ class DiagnosisAnswer:
     tone: str
 
 
-def diagnosis_answer(data: Mapping[str, Any], effect: EffectAtSensor | None, *, percent: bool) -> DiagnosisAnswer:
+def diagnosis_answer(data: Mapping[str, Any], effect: ReadingChange | None = None, *, percent: bool) -> DiagnosisAnswer:
     """Return the answer of a diagnosis in the contract's form.
 
     Parameters
     ----------
-    effect : EffectAtSensor or None
-        How much the findings change the reading; None where nothing was found or it was not simulated.
+    effect : ReadingChange or None
+        How much all findings change the reading; without it the largest size of a finding that ``data`` states.
     percent : bool
         Whether the residual on held-out data is a share of the measured signal; else it is a mean square.
     """
@@ -94,7 +109,7 @@ def _listed(names: Sequence[str]) -> str:
     return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
 
 
-def _size(data: Mapping[str, Any], effect: EffectAtSensor | None) -> tuple[str, ...]:
+def _size(data: Mapping[str, Any], effect: ReadingChange | None) -> tuple[str, ...]:
     if effect is not None:
         return (effect.sentence,)
     rms = data.get("rms")
@@ -126,10 +141,15 @@ def _next(data: Mapping[str, Any]) -> tuple[str, ...]:
     return ("Next: record the run that the section Findings names.",)
 
 
-def _size_figure(data: Mapping[str, Any], effect: EffectAtSensor | None) -> LargeFigure:
+def _size_figure(data: Mapping[str, Any], effect: ReadingChange | None) -> LargeFigure:
     name = "change of the reading"
     if effect is not None:
         return LargeFigure(name=name, value=f"{effect.rms:.3g} {effect.unit.replace('*', ' ')}", note="rms")
+    sized = [one for one in data["findings"] if one.get("size")]
+    if sized:
+        first = max(sized, key=lambda one: one["size"]["value"])
+        size = f"{plain(first['size']['value'])} {first['size']['unit'].replace('*', ' ')}"
+        return LargeFigure(name=name, value=size, note=f"rms, by {mechanism_text(first['mechanism'])}")
     if data["findings"]:
         return LargeFigure(name=name, value="not computed", note="needs a simulation of the completed model")
     return LargeFigure(name=name, value="none", note="no finding changes the reading")

@@ -8,17 +8,17 @@ from math import pi
 
 import numpy as np
 
-from torquerig.diagnosis.motion.lines import in_a_line
-from torquerig.diagnosis.motion.moved import BAND, moved_runs, under_measured_motion
-from torquerig.diagnosis.sheet_ratio import at_ratio_of
+from torquerig.inference.motion.imposed_run import BAND, imposed_runs
 from torquerig.inference.rig_under_test import check_recordings, check_rig
 from torquerig.orders.angle.suspicions import angle_sentences
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.recording import Recording
+from torquerig.rig.imposed_part import imposed_part
 from torquerig.rig.reading_place import effort_unit
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.recorded.compared_channel import as_measured, what_is_compared
+from torquerig.scenario.recorded.gear_ratio import at_ratio_of
 from torquerig.scenario.recorded.input_checks import as_driven, inputs_shown
 from torquerig.scenario.recorded.sensor_priors import sensor_priors
 from torquerig.simulation.condensation.beforehand import said_beforehand
@@ -75,7 +75,7 @@ def run_check(scenario: Scenario, recordings: Sequence[Recording]) -> RunCheck:
     choices = (what_is_compared(one, scenario.rig) for one in recordings)
     compared = [choice for choice in choices if choice is not None]
     compared += [shown for one in recordings for shown in inputs_shown(scenario, one)]
-    is_moved = under_measured_motion(scenario.rig)
+    is_moved = imposed_part(scenario.rig) is not None
     ratio = None if is_moved else kinematics_of(scenario.rig).ratio
     rates = dict.fromkeys(each.sample_rate for each in recordings)
     return RunCheck(
@@ -92,8 +92,8 @@ def run_check(scenario: Scenario, recordings: Sequence[Recording]) -> RunCheck:
 
 
 def _of_motion(scenario: Scenario, recordings: Sequence[Recording]) -> list[list[str]]:
-    runs, rows = moved_runs(recordings, scenario.rig), []
-    line = in_a_line(runs)
+    runs, rows = imposed_runs(recordings, scenario.rig), []
+    line = effort_unit(scenario.rig) == "N"
     for run in runs:
         effort, stroke = float(np.sqrt(np.mean(run.effort**2))), float(np.ptp(run.position))
         fastest = float(np.abs(run.speed).max())

@@ -1,12 +1,12 @@
-"""Sentences of a diagnosis: the verdict, the place and kind of a mismatch, a p-value."""
+"""Words of a diagnosis: the place and kind of a mismatch, a wrong fact, a p-value, how a residual is named."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from torquerig.diagnosis.outcome import Diagnosis, Finding, Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.reporting.layout import plain
 
 _SMALLEST = 1e-12
@@ -65,54 +65,6 @@ def mechanism_text(name: str) -> str:
 def fact_text(fact: Mapping[str, Any]) -> str:
     """Return what a wrong fact of the set-up is: a number of a part by its name, else the kind and what it is of."""
     return str(fact["of"]) if fact["kind"] == "parameter" else f"{mechanism_text(fact['kind'])} of {fact['of']}"
-
-
-def verdict_sentence(
-    diagnosis: Diagnosis, left: Sequence[Mismatch], *, measure: ResidualMeasure = FEATURE_RESIDUAL
-) -> str:
-    """Return the verdict in sentences of one statement each.
-
-    Parameters
-    ----------
-    diagnosis : Diagnosis
-    left : sequence of Mismatch
-        Where the completed model still differs from the recordings, largest share first.
-    measure : ResidualMeasure
-    """
-    fit, name = diagnosis.fit, measure.name
-    before, after = measure.formatted(fit.before), measure.formatted(fit.after)
-    if diagnosis.verdict == "adequate":
-        return (
-            f"No physics is missing that these recordings can show. With the scenario's parameters fitted, the {name} "
-            f"is {before}{measure.of}.{measure.true_model}"
-        )
-    remaining = _remaining(left) or measure.without_place
-    if not diagnosis.findings:
-        return f"Something is missing that no mechanism of the library explains. {remaining}"
-    named = " and ".join(_named(finding) for finding in diagnosis.findings)
-    them = "it" if len(diagnosis.findings) == 1 else "them"
-    # faults of samples are excluded from fits and residuals, so that they change neither
-    change = f"stays at {after}" if before == after else f"falls from {before} to {after}"
-    lacks = f"The model lacks {named}. With {them}, the {name} {change}{measure.of}."
-    if diagnosis.verdict == "missing_physics":
-        return lacks + measure.true_model
-    return f"{lacks} No mechanism of the library explains the rest. {remaining}"
-
-
-def _remaining(left: Sequence[Mismatch]) -> str:
-    if not left:
-        return ""
-    more = f", and at {len(left) - 1} other places" if len(left) > 2 else ", and at one other place"
-    return f"The largest remaining residual is {place_text(left[0])}{more if len(left) > 1 else ''}."
-
-
-def _named(finding: Finding) -> str:
-    named = mechanism_text(finding.mechanism)
-    if finding.equivalent_to:
-        named += (
-            f" (or {' or '.join(map(mechanism_text, finding.equivalent_to))}; these recordings do not distinguish them)"
-        )
-    return named
 
 
 def place_text(mismatch: Mismatch) -> str:

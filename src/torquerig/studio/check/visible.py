@@ -37,19 +37,19 @@ def visible(question: DiagnosisQuestion, report: Report) -> Visible:
     InputError, RecordingError
         As a diagnosis by the engine ``likelihood``.
     """
-    from torquerig.diagnosis.motion.moved import under_measured_motion
     from torquerig.inference.engine import prepared
     from torquerig.inference.isolability.beforehand import beforehand
     from torquerig.recordings.files import read_recording
     from torquerig.reporting.diagnosis.sentences import mechanism_text
     from torquerig.reporting.layout import plain
+    from torquerig.rig.imposed_part import imposed_part
     from torquerig.scenario.reading import read_scenario
     from torquerig.scenario.recorded.compared_channel import as_measured
 
     report(stage="reading the recordings")
     catalog = catalog_for(question.path, question.catalogs)
     scenario = read_scenario(parse_document(question.text, question.path), catalog, seed=question.seed)
-    if under_measured_motion(scenario.rig):
+    if imposed_part(scenario.rig) is not None:
         raise InputError("the smallest sizes of a rig whose motion was measured are not computed yet")
     recordings = as_measured([read_recording(path) for path in question.recordings], scenario.rig)
     ready = prepared(scenario, recordings, held_out=[], progress=lambda stage: report(stage=stage))

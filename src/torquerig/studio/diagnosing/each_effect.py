@@ -7,13 +7,13 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.showing.effect_at_sensor import LONGEST
 from torquerig.errors import TorquerigError
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.reading_place import effort_unit
 from torquerig.simulation.simulator import simulate
 
+LONGEST = 4.0  # [s] of a simulated reading: some tens of turns of an output shaft at usual speeds
 HEAD = ("effect", "kind", "change of the reading", "largest in")
 
 

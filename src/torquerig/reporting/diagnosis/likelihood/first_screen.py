@@ -11,9 +11,12 @@ from torquerig.reporting.layout import plain
 from torquerig.study.answer.what_to_do import LargeFigure
 
 
-def first_screen(data: Mapping[str, Any]) -> DiagnosisAnswer:
-    """Return what is missing, the rms error before and after, how sure, what to do next."""
-    shown = diagnosis_answer({**data, "rms": None}, None, percent=False)
+def first_screen(data: Mapping[str, Any], *, percent: bool = False) -> DiagnosisAnswer:
+    """Return what is missing, the rms error before and after, how sure, what to do next.
+
+    ``percent`` says that the residual is a share of the measured effort, of rigs whose motion was measured.
+    """
+    shown = diagnosis_answer({**data, "rms": None}, percent=percent)
     first, *others = shown.sentences
     return replace(
         shown,
@@ -33,9 +36,10 @@ def _unnamed(data: Mapping[str, Any]) -> tuple[str, ...]:
 
 def _error(data: Mapping[str, Any]) -> str:
     rms, unit = data["rms"], _unit(data["rms"]["unit"])
-    before, after, least = (plain(rms[key]) for key in ("before", "after", "true_model"))
+    before, after = (plain(rms[key]) for key in ("before", "after"))
     change = f"is {after} {unit} rms" if before == after else f"changes from {before} to {after} {unit} rms"
-    return f"The error on held-out data {change}; random errors alone make {least} {unit}."
+    least = f"; random errors alone make {plain(rms['true_model'])} {unit}" if "true_model" in rms else ""
+    return f"The error on held-out data {change}{least}."
 
 
 def _error_figure(data: Mapping[str, Any]) -> LargeFigure:

@@ -6,7 +6,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from torquerig.inference.answer.curves import LevelCurves, RunCurves, SpectrumCurves
-from torquerig.reporting.diagnosis.spectrum_figure import AFTER, BEFORE, RECORDED
+from torquerig.reporting.diagnosis.curve_colours import AFTER, BEFORE, RECORDED
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure
 

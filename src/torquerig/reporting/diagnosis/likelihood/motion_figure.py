@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from torquerig.inference.motion.engine import MotionOutcome
-from torquerig.reporting.diagnosis.spectrum_figure import AFTER, BEFORE, RECORDED
+from torquerig.reporting.diagnosis.curve_colours import AFTER, BEFORE, RECORDED
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure
 from torquerig.rig.reading_place import effort_unit

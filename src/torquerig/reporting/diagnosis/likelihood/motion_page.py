@@ -13,11 +13,11 @@ from torquerig.inference.knobs import Knob
 from torquerig.inference.motion.engine import MotionOutcome
 from torquerig.inference.motion.fitted_model import Fit
 from torquerig.reporting.diagnosis.likelihood import tables
+from torquerig.reporting.diagnosis.likelihood.first_screen import first_screen
 from torquerig.reporting.diagnosis.likelihood.motion_figure import motion_figure
 from torquerig.reporting.diagnosis.likelihood.sentences import remarks_of, verdict_of
-from torquerig.reporting.diagnosis.page_answer import diagnosis_answer
+from torquerig.reporting.diagnosis.mismatch_figure import mismatch_picture
 from torquerig.reporting.diagnosis.parameter_tables import fitted_parameters_table
-from torquerig.reporting.diagnosis.pictures import mismatch_picture
 from torquerig.reporting.diagnosis.sentences import MOTION_RESIDUAL, WORDS, mechanism_text
 from torquerig.reporting.diagnosis.summary import NO_MISMATCH, first_and_others, rendered
 from torquerig.reporting.diagnosis.tables import mismatch_table, rejected_table
@@ -60,7 +60,7 @@ def motion_page(
     before, after = _Parameters(outcome.nominal), _Parameters(outcome.fit)
     content = {
         "limits": LIMITS, "metric": data["fit"]["metric"],
-        "answer": diagnosis_answer({**data, "rms": None}, None, percent=True),
+        "answer": first_screen(data, percent=True),
         "verdict": {**WORDS, "setup_error": "set-up error"}[data["verdict"]],
         "sentence": verdict_of(data, measure=MOTION_RESIDUAL), "figures": _figures(data),
         "findings": tuple(map(_finding, data["findings"])), "next_experiment": None,

@@ -11,8 +11,8 @@ from torquerig.reporting.diagnosis.likelihood import tables
 from torquerig.reporting.diagnosis.likelihood.first_screen import first_screen
 from torquerig.reporting.diagnosis.likelihood.model_figure import csv_of, model_figure
 from torquerig.reporting.diagnosis.likelihood.sentences import remarks_of, verdict_of
+from torquerig.reporting.diagnosis.mismatch_figure import mismatch_picture
 from torquerig.reporting.diagnosis.parameter_tables import fitted_parameters_table
-from torquerig.reporting.diagnosis.pictures import mismatch_picture
 from torquerig.reporting.diagnosis.sentences import FEATURE_RESIDUAL, WORDS, mechanism_text
 from torquerig.reporting.diagnosis.summary import NO_MISMATCH, first_and_others, rendered
 from torquerig.reporting.diagnosis.tables import mismatch_table, rejected_table

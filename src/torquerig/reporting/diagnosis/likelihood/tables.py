@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.outcome import Mismatch
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.inference.fit import Fit
 from torquerig.inference.knobs import Knob
 from torquerig.reporting.diagnosis.sentences import mechanism_text

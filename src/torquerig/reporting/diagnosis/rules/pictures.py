@@ -5,30 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from torquerig.diagnosis.engine import Outcome
-from torquerig.diagnosis.outcome import Mismatch
 from torquerig.diagnosis.showing.comparison import Compared, most_telling
-from torquerig.reporting.diagnosis.line_labels import line_labels
-from torquerig.reporting.diagnosis.mismatch_figure import MOST, has_visible_share, mismatch_figure
-from torquerig.reporting.diagnosis.residual_figure import diagnosis_residual_figure, has_residuals
-from torquerig.reporting.diagnosis.slow_torque_figure import slow_torque_figure
-from torquerig.reporting.diagnosis.spectrum_figure import diagnosis_spectrum_figure
-from torquerig.reporting.diagnosis.window_figure import diagnosis_window_figure
+from torquerig.reporting.diagnosis.rules.line_labels import line_labels
+from torquerig.reporting.diagnosis.rules.residual_figure import diagnosis_residual_figure, has_residuals
+from torquerig.reporting.diagnosis.rules.slow_torque_figure import slow_torque_figure
+from torquerig.reporting.diagnosis.rules.spectrum_figure import diagnosis_spectrum_figure
+from torquerig.reporting.diagnosis.rules.window_figure import diagnosis_window_figure
 from torquerig.reporting.figures.page_picture import Picture
 from torquerig.reporting.figures.picture import picture
 from torquerig.scenario.kinematics import kinematics_of
-
-
-def mismatch_picture(listed: Sequence[Mismatch]) -> Picture | None:
-    """Return the shares of the squared residual by place, or None where no place has a visible share."""
-    if not has_visible_share(listed):
-        return None
-    which = "Each place" if len(listed) <= MOST else f"The {MOST} largest of {len(listed)} places"
-    return picture(
-        mismatch_figure(listed),
-        caption=f"{which} where recordings and calibrated model differ, by share of the squared residual.",
-        alt_text="bars of the shares of the squared residual by place, largest first",
-        name="differences_by_place",
-    )
 
 
 def slow_torque_picture(runs: Sequence[Compared]) -> Picture:

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from torquerig.diagnosis.showing.comparison import Compared
 from torquerig.diagnosis.showing.comparison_curves import line_wave, window_of
-from torquerig.reporting.diagnosis.spectrum_figure import AFTER, BEFORE, RECORDED
+from torquerig.reporting.diagnosis.curve_colours import AFTER, BEFORE, RECORDED
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure
 

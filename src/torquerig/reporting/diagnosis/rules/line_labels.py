@@ -9,8 +9,8 @@ from math import pi
 import numpy as np
 
 from torquerig.diagnosis.engine import Outcome
-from torquerig.diagnosis.outcome import Mismatch
 from torquerig.diagnosis.showing.comparison import Compared
+from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.linear_twin.twin import Twin
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of

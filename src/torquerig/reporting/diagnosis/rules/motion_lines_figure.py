@@ -11,8 +11,8 @@ from matplotlib.ticker import FuncFormatter, LogLocator
 
 from torquerig.diagnosis.showing.motion_comparison import Scale
 from torquerig.diagnosis.showing.motion_lines import LinesCompared, LinesLeft
-from torquerig.reporting.diagnosis.motion_panels import AFTER_LABEL, BEFORE_LABEL, GRID
-from torquerig.reporting.diagnosis.spectrum_figure import AFTER, BEFORE
+from torquerig.reporting.diagnosis.curve_colours import AFTER, BEFORE
+from torquerig.reporting.diagnosis.rules.motion_panels import AFTER_LABEL, BEFORE_LABEL, GRID
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure
 

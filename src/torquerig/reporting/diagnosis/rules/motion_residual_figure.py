@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from torquerig.diagnosis.showing.motion_comparison import MotionCompared, Scale
 from torquerig.diagnosis.showing.motion_curves import held_pieces
-from torquerig.reporting.diagnosis.motion_panels import GRID, HELD_OUT, drawn_models, effort_name
+from torquerig.reporting.diagnosis.rules.motion_panels import GRID, HELD_OUT, drawn_models, effort_name
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure
 

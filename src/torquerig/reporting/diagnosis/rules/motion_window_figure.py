@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from torquerig.diagnosis.showing.motion_comparison import MotionCompared, Scale
 from torquerig.diagnosis.showing.motion_curves import telling_window
-from torquerig.reporting.diagnosis.motion_panels import MEASURED, drawn_models, label_panels
+from torquerig.reporting.diagnosis.rules.motion_panels import MEASURED, drawn_models, label_panels
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure
 

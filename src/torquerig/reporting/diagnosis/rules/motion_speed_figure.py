@@ -8,8 +8,8 @@ from matplotlib.ticker import MaxNLocator
 
 from torquerig.diagnosis.showing.motion_comparison import MotionCompared, Scale
 from torquerig.diagnosis.showing.motion_curves import LevelOverSpeed
-from torquerig.reporting.diagnosis.motion_panels import AFTER_LABEL, BEFORE_LABEL, GRID, MEASURED, effort_name
-from torquerig.reporting.diagnosis.spectrum_figure import AFTER, BEFORE
+from torquerig.reporting.diagnosis.curve_colours import AFTER, BEFORE
+from torquerig.reporting.diagnosis.rules.motion_panels import AFTER_LABEL, BEFORE_LABEL, GRID, MEASURED, effort_name
 from torquerig.reporting.figures.picture import new_figure
 
 _POINTS = 1200  # largest number of samples drawn

@@ -9,13 +9,14 @@ from torquerig.diagnosis.motion.diagnose_motion import METRIC, MotionOutcome
 from torquerig.diagnosis.motion.level import TOLERANCE
 from torquerig.diagnosis.showing.effect_at_sensor import EffectAtSensor
 from torquerig.diagnosis.showing.motion_comparison import motion_compared, scale_of
-from torquerig.reporting.diagnosis import motion_tables as tables
-from torquerig.reporting.diagnosis.motion_pictures import motion_pictures
+from torquerig.reporting.diagnosis.mismatch_figure import mismatch_picture
 from torquerig.reporting.diagnosis.page_answer import diagnosis_answer
 from torquerig.reporting.diagnosis.parameter_tables import added_parameters_table, fitted_parameters_table
-from torquerig.reporting.diagnosis.pictures import mismatch_picture
+from torquerig.reporting.diagnosis.rules import motion_tables as tables
+from torquerig.reporting.diagnosis.rules.motion_pictures import motion_pictures
+from torquerig.reporting.diagnosis.rules.summary import verdict_content
 from torquerig.reporting.diagnosis.sentences import MOTION_RESIDUAL
-from torquerig.reporting.diagnosis.summary import NO_MISMATCH, first_and_others, rendered, verdict_content
+from torquerig.reporting.diagnosis.summary import NO_MISMATCH, first_and_others, rendered
 from torquerig.reporting.diagnosis.tables import mismatch_table, rejected_table
 
 LIMITS = (

@@ -1,41 +1,46 @@
-"""``torquerig diagnose --engine likelihood``: the answer in words, of features or along a measured motion."""
+"""A diagnosis by the likelihood: the answer in words and pages, of features or along a measured motion."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from pathlib import Path
 from typing import Any
 
-from torquerig.cli.diagnose_parts.diagnosed import Diagnosed
 from torquerig.inference.answer import as_json
 from torquerig.inference.engine import Outcome, diagnose
 from torquerig.inference.motion.answer import as_json as motion_json
 from torquerig.inference.motion.engine import MotionOutcome, diagnose_motion
 from torquerig.recordings.recording import Recording
 from torquerig.reporting.diagnosis.answer_text import answer_lines
+from torquerig.reporting.diagnosis.diagnosed import Diagnosed
+from torquerig.reporting.diagnosis.likelihood.first_screen import first_screen
 from torquerig.reporting.diagnosis.likelihood.sentences import remarks_of, verdict_of
 from torquerig.reporting.diagnosis.sentences import MOTION_RESIDUAL
 from torquerig.rig.imposed_part import imposed_part
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.recorded.compared_channel import as_measured
+from torquerig.scenario.recorded.input_checks import as_driven
 
 
 def diagnosed_by_likelihood(
-    scenario: Scenario, recordings: Sequence[Recording], *, held_out: Sequence[Path], seed: int,
+    scenario: Scenario, recordings: Sequence[Recording], *, held_out: Sequence[str], seed: int,
     progress: Callable[[str], None],
 ) -> Diagnosed:  # fmt: skip
-    """Return the diagnosis by the second engine; ``held_out`` holds recordings that are not fitted."""
-    names = [one.name for one in held_out]
+    """Return the diagnosis; ``held_out`` names recordings that are not fitted."""
     if imposed_part(scenario.rig) is not None:
-        moved = diagnose_motion(scenario, recordings, held_out_runs=names, progress=progress)
+        moved = diagnose_motion(scenario, recordings, held_out_runs=held_out, progress=progress)
+        data = motion_json(moved)
         return Diagnosed(
-            data=motion_json(moved), completed=moved.completed if moved.completes else None, lines=_motion_lines,
-            page=partial(_motion_page, outcome=moved, title=scenario.title, seed=seed),
+            data=data, completed=moved.completed if moved.completes else None,
+            sentence=verdict_of(data, measure=MOTION_RESIDUAL), answer=partial(first_screen, data, percent=True),
+            lines=_motion_lines, page=partial(_motion_page, outcome=moved, title=scenario.title, seed=seed),
         )  # fmt: skip
-    outcome = diagnose(scenario, as_measured(recordings, scenario.rig), held_out=names, progress=progress)
+    read = as_driven(scenario, as_measured(recordings, scenario.rig))
+    outcome = diagnose(scenario, read, held_out=held_out, progress=progress)
+    data = as_json(outcome)
     return Diagnosed(
-        data=as_json(outcome), completed=outcome.completed if outcome.completes else None, lines=_lines,
+        data=data, completed=outcome.completed if outcome.completes else None, sentence=verdict_of(data),
+        answer=partial(first_screen, data), lines=_lines,
         page=partial(_page, outcome=outcome, title=scenario.title, seed=seed),
     )  # fmt: skip
 

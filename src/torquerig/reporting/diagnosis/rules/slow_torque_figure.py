@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from torquerig.diagnosis.showing.comparison import Compared, Side
 from torquerig.diagnosis.showing.comparison_curves import held_spans, slow_course
-from torquerig.reporting.diagnosis.spectrum_figure import AFTER, BEFORE, RECORDED
+from torquerig.reporting.diagnosis.curve_colours import AFTER, BEFORE, RECORDED
 from torquerig.reporting.figures.picture import new_figure
 
 _MOST = 6

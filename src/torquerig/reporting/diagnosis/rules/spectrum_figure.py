@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.showing.comparison import Compared
 from torquerig.diagnosis.showing.comparison_curves import order_spectrum
-from torquerig.reporting.diagnosis.line_labels import KNOWN, LineLabel
+from torquerig.reporting.diagnosis.curve_colours import AFTER, BEFORE, RECORDED
+from torquerig.reporting.diagnosis.rules.line_labels import KNOWN, LineLabel
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure
 
 Floats = NDArray[np.float64]
 
-RECORDED, BEFORE, AFTER = "#9aa5b1", "#c8553d", "#12395b"
 _DECADES = 5.0  # below the highest peak
 _LABEL_STEP = 0.021  # [1] least distance of two labels, as a share of the axis
 _MOST_LABELS = 40

@@ -13,7 +13,7 @@ from torquerig.diagnosis.motion.tried import Step
 from torquerig.diagnosis.outcome import Finding
 from torquerig.diagnosis.showing.motion_comparison import MotionCompared, Scale
 from torquerig.diagnosis.showing.motion_scores import Score, scores, without
-from torquerig.reporting.diagnosis.motion_panels import effort_name
+from torquerig.reporting.diagnosis.rules.motion_panels import effort_name
 from torquerig.reporting.diagnosis.sentences import mechanism_text
 from torquerig.reporting.layout import Cell, Table, number, plain, words
 

@@ -9,11 +9,14 @@ from torquerig.diagnosis.engine import Outcome
 from torquerig.diagnosis.outcome import METRIC, as_json
 from torquerig.diagnosis.showing.comparison import Compared, compared
 from torquerig.diagnosis.showing.effect_at_sensor import EffectAtSensor
-from torquerig.reporting.diagnosis import pictures, tables
+from torquerig.reporting.diagnosis.mismatch_figure import mismatch_picture
 from torquerig.reporting.diagnosis.page_answer import diagnosis_answer
 from torquerig.reporting.diagnosis.parameter_tables import fitted_parameters_table
+from torquerig.reporting.diagnosis.rules import pictures, tables
+from torquerig.reporting.diagnosis.rules.summary import verdict_content
 from torquerig.reporting.diagnosis.sentences import FEATURE_RESIDUAL
-from torquerig.reporting.diagnosis.summary import NO_MISMATCH, first_and_others, rendered, verdict_content
+from torquerig.reporting.diagnosis.summary import NO_MISMATCH, first_and_others, rendered
+from torquerig.reporting.diagnosis.tables import mismatch_table, rejected_table
 
 LIMITS = (
     "A mechanism that is not in the library is located, but not named.",
@@ -54,14 +57,14 @@ def _shown(outcome: Outcome, runs: Sequence[Compared]) -> Mapping[str, Any]:
     diagnosis, remaining = outcome.diagnosis, outcome.left if outcome.diagnosis.findings else ()
     before, after = outcome.before.model, outcome.after.model
     return {
-        "mismatch": tables.mismatch_table(diagnosis.mismatch) if diagnosis.mismatch else None,
-        "mismatch_picture": pictures.mismatch_picture(diagnosis.mismatch),
+        "mismatch": mismatch_table(diagnosis.mismatch) if diagnosis.mismatch else None,
+        "mismatch_picture": mismatch_picture(diagnosis.mismatch),
         "no_mismatch": NO_MISMATCH,
-        "remaining": tables.mismatch_table(remaining) if remaining else None,
+        "remaining": mismatch_table(remaining) if remaining else None,
         "held_out": tables.held_out_table(runs),
         **first_and_others((*pictures.comparison_pictures(outcome, runs), pictures.slow_torque_picture(runs))),
         "omitted_pictures": (),
-        "rejected": tables.rejected_table(diagnosis.set_aside) if diagnosis.set_aside else None,
+        "rejected": rejected_table(diagnosis.set_aside) if diagnosis.set_aside else None,
         "fitted": fitted_parameters_table(outcome.before.nominal, before, after) if before.knobs else None,
         "added": None,
         "recordings": tables.runs_table(outcome),

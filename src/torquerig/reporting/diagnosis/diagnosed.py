@@ -1,11 +1,12 @@
-"""What ``torquerig diagnose`` prints and writes of a diagnosis, whichever engine made it."""
+"""What is shown and written of a diagnosis, whichever engine made it."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from torquerig.reporting.diagnosis.page_answer import DiagnosisAnswer
 from torquerig.rig.assembly import Rig
 
 
@@ -33,11 +34,17 @@ class Diagnosed:
         In the contract's form, without ``model`` and ``provenance``.
     completed : Rig or None
         The rig with what was found; None where nothing was.
+    sentence : str
+        The verdict in sentences.
+    answer : callable
+        Returns what a reader sees first.
     lines, page : callable
-        Both are computed when they are needed.
+        All three are computed when they are needed.
     """
 
     data: dict[str, Any]
     completed: Rig | None
+    sentence: str
+    answer: Callable[[], DiagnosisAnswer]
     lines: LinesOf
     page: PageOf

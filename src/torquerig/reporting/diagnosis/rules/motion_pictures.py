@@ -14,12 +14,12 @@ from torquerig.diagnosis.showing.motion_comparison import (
 )
 from torquerig.diagnosis.showing.motion_curves import level_over_speed
 from torquerig.diagnosis.showing.motion_lines import lines_compared
-from torquerig.reporting.diagnosis.motion_lines_figure import motion_lines_figure
-from torquerig.reporting.diagnosis.motion_panels import effort_name
-from torquerig.reporting.diagnosis.motion_position_figure import motion_position_figure
-from torquerig.reporting.diagnosis.motion_residual_figure import MOST, motion_residual_figure
-from torquerig.reporting.diagnosis.motion_speed_figure import motion_speed_figure
-from torquerig.reporting.diagnosis.motion_window_figure import motion_window_figure
+from torquerig.reporting.diagnosis.rules.motion_lines_figure import motion_lines_figure
+from torquerig.reporting.diagnosis.rules.motion_panels import effort_name
+from torquerig.reporting.diagnosis.rules.motion_position_figure import motion_position_figure
+from torquerig.reporting.diagnosis.rules.motion_residual_figure import MOST, motion_residual_figure
+from torquerig.reporting.diagnosis.rules.motion_speed_figure import motion_speed_figure
+from torquerig.reporting.diagnosis.rules.motion_window_figure import motion_window_figure
 from torquerig.reporting.figures.page_picture import Picture
 from torquerig.reporting.figures.picture import picture
 

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from torquerig.diagnosis.showing.motion_comparison import MotionCompared, Scale
-from torquerig.reporting.diagnosis.spectrum_figure import AFTER, BEFORE
+from torquerig.reporting.diagnosis.curve_colours import AFTER, BEFORE
 
 Floats = NDArray[np.float64]
 

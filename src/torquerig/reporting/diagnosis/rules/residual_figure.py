@@ -11,7 +11,7 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator
 
 from torquerig.diagnosis.fitting.misfit import BAND_TOLERANCE
 from torquerig.diagnosis.showing.comparison import Compared, Side
-from torquerig.reporting.diagnosis.spectrum_figure import AFTER, BEFORE
+from torquerig.reporting.diagnosis.curve_colours import AFTER, BEFORE
 from torquerig.reporting.figures.picture import new_figure
 
 _DECIBEL = 10 / np.log(10)

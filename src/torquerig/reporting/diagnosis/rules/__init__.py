@@ -1,0 +1,1 @@
+"""The pages of the first engine; ``motion_*`` where the motion was measured."""
