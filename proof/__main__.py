@@ -34,13 +34,15 @@ if TYPE_CHECKING:
 @click.option(
     "--duration", type=click.FloatRange(2.0), default=12.0, show_default=True, help="Length of each recording [s]."
 )
+@click.option("--engine", type=click.Choice(["rules", "likelihood"]), default="rules", show_default=True,
+              help="How the diagnosis compares hypotheses.")  # fmt: skip
 @click.option("--practice", type=click.Path(path_type=Path), default=None, metavar="FOLDER",
               help="Folder of practice rigs with answers.yaml.")  # fmt: skip
 @click.option("--real", type=click.Path(path_type=Path), default=None, metavar="FOLDER",
               help="Folder of real recordings, one subfolder per source.")  # fmt: skip
 def command(
     *, seeds: Sequence[int], cases: int, out: Path, workers: int, same_laws: bool, riddle: bool,
-    oracle_cases: int | None, duration: float, practice: Path | None, real: Path | None,
+    oracle_cases: int | None, duration: float, engine: str, practice: Path | None, real: Path | None,
 ) -> None:  # fmt: skip
     """Record blind trials, seal the answers, diagnose the recordings, open the answers and write the scores.
 
@@ -60,7 +62,7 @@ def command(
 
     plan = Plan(
         seeds=tuple(dict.fromkeys(seeds)), cases=cases, out=out, workers=workers, same_laws=same_laws, riddle=riddle,
-        oracle_cases=oracle_cases, duration=duration, practice=practice, real=real,
+        oracle_cases=oracle_cases, duration=duration, engine=engine, practice=practice, real=real,
     )  # fmt: skip
     with ExitStack() as shown:
 

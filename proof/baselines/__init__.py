@@ -8,6 +8,7 @@ All start from the calibrated nominal model of the diagnosis, which is an advant
 - ``sparse_regression``  STLSQ on the torque, with columns for the mechanisms
 - ``columns``            the columns of that regression
 - ``stlsq``              sequentially thresholded least squares, of PySINDy or a plain version
+- ``calibrated``         the calibrated model
 - ``verdict``            the verdict in the form of a diagnosis
 """
 
@@ -16,12 +17,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from proof.baselines.calibrated import Calibrated
 from proof.baselines.refit_only import refit_only
 from proof.baselines.residual_fft import residual_fft
 from proof.baselines.sparse_regression import sparse_regression
-from torquerig.diagnosis.engine import Outcome
 
-BASELINES: dict[str, Callable[[Outcome], dict[str, Any]]] = {
+BASELINES: dict[str, Callable[[Calibrated], dict[str, Any]]] = {
     "residual_fft": residual_fft,
     "sparse_regression": sparse_regression,
     "refit_only": refit_only,

@@ -9,8 +9,8 @@ from math import lcm, pi
 import numpy as np
 from numpy.typing import NDArray
 
+from proof.baselines.calibrated import CalibratedRun
 from proof.baselines.named_lines import BLADES, MAINS, TEETH
-from torquerig.diagnosis.looking.observed import Observed
 from torquerig.inference.places import SAME_ORDER
 from torquerig.linear_twin.twin import Twin
 from torquerig.rig.assembly import Rig
@@ -38,7 +38,7 @@ class Column:
 
 
 def columns_of(
-    run: Observed, rows: NDArray[np.int64], rig: Rig, *, runs: int, number: int, tones: Sequence[float]
+    run: CalibratedRun, rows: NDArray[np.int64], rig: Rig, *, runs: int, number: int, tones: Sequence[float]
 ) -> Iterator[Column]:
     """Yield every column of run ``number`` of ``runs`` at its samples ``rows``; the set is the same for every run.
 

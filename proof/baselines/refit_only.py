@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from proof.baselines.calibrated import Calibrated
 from proof.baselines.verdict import verdict
-from torquerig.diagnosis.engine import Outcome
-from torquerig.diagnosis.judging.leftover import mismatches
-from torquerig.diagnosis.outcome import METRIC
 
 
-def refit_only(outcome: Outcome) -> dict[str, Any]:
+def refit_only(start: Calibrated) -> dict[str, Any]:
     """Return ``adequate`` if the calibrated nominal model has no significant residual, else ``unexplained``."""
-    left, misfit = mismatches(outcome.before), outcome.diagnosis.fit.before
-    return verdict("unexplained" if left else "adequate", outcome, metric=METRIC, before=misfit, after=misfit)
+    fit = start.diagnosis["fit"]
+    residual = fit["before"]["heldout_misfit"]
+    word = "unexplained" if start.diagnosis["mismatch"] else "adequate"
+    return verdict(word, start, metric=fit["metric"], before=residual, after=residual)

@@ -10,10 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from proof.baselines.calibrated import Calibrated, CalibratedRun
 from proof.baselines.named_lines import NamedLine, named_lines
 from proof.baselines.verdict import Named, verdict
-from torquerig.diagnosis.engine import Outcome
-from torquerig.diagnosis.looking.observed import Observed
 from torquerig.linear_twin.twin import Twin
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
@@ -35,23 +34,23 @@ class Line:
     named: NamedLine | None
 
 
-def residual_fft(outcome: Outcome) -> dict[str, Any]:
+def residual_fft(start: Calibrated) -> dict[str, Any]:
     """Return the verdict: each mechanism by its strongest line; ``unexplained`` if a line has no name.
 
     Only steady runs count. Frequencies of the calibrated model are excluded.
     """
-    rig = outcome.before.model.rig
-    lines = [line for run in outcome.before.runs if run.steady for line in lines_of(run, rig)]
+    rig = start.rig
+    lines = [line for run in start.runs if run.steady for line in lines_of(run, rig)]
     strongest: dict[str, Line] = {}
     for line in sorted(lines, key=lambda one: -one.amplitude):
         if line.named is not None:
             strongest.setdefault(line.named.mechanism, line)
     found = [_named(line, lines) for line in strongest.values()]
     nameless = any(line.named is None for line in lines)
-    return verdict("unexplained" if nameless else "missing_physics" if found else "adequate", outcome, found)
+    return verdict("unexplained" if nameless else "missing_physics" if found else "adequate", start, found)
 
 
-def lines_of(run: Observed, rig: Rig) -> Iterator[Line]:
+def lines_of(run: CalibratedRun, rig: Rig) -> Iterator[Line]:
     """Yield the significant lines of a run that ``rig`` lacks."""
     from scipy.ndimage import median_filter
 

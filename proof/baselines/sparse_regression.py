@@ -9,12 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from proof.baselines.calibrated import Calibrated, CalibratedRun
 from proof.baselines.columns import Column, columns_of
 from proof.baselines.residual_fft import lines_of
 from proof.baselines.stlsq import solver, stlsq
 from proof.baselines.verdict import Named, verdict
-from torquerig.diagnosis.engine import Outcome
-from torquerig.diagnosis.looking.observed import Observed
 from torquerig.rig.assembly import Rig
 
 Floats = NDArray[np.float64]
@@ -42,10 +41,10 @@ class Sums:
         return max(float(left), 0.0) / self.count
 
 
-def sparse_regression(outcome: Outcome) -> dict[str, Any]:
+def sparse_regression(start: Calibrated) -> dict[str, Any]:
     """Return the verdict: every mechanism with a remaining column, by its share of the torque's power."""
-    runs, rig = outcome.before.runs, outcome.before.nominal
-    tones = _tones(outcome)
+    runs, rig = start.runs, start.nominal
+    tones = _tones(start)
     names, seen = _sums(runs, rig, tones, held=False)
     _, held = _sums(runs, rig, tones, held=True)
     nominal = np.array([not one.mechanism for one in names])
@@ -57,20 +56,19 @@ def sparse_regression(outcome: Outcome) -> dict[str, Any]:
         best = bare
     found = _named(names, best, seen)
     return verdict(
-        "missing_physics" if found else "adequate", outcome, found, before=held.error(bare), after=held.error(best),
+        "missing_physics" if found else "adequate", start, found, before=held.error(bare), after=held.error(best),
         metric=f"Mean squared residual of held-out torque samples in a regression [N^2 m^2], {solver()}.",
     )  # fmt: skip
 
 
-def _tones(outcome: Outcome) -> list[float]:
+def _tones(start: Calibrated) -> list[float]:
     """Return the frequencies of the strongest unexplained lines [Hz]."""
-    rig = outcome.before.model.rig
-    lines = [line for run in outcome.before.runs if run.steady for line in lines_of(run, rig) if line.named is None]
+    lines = [line for run in start.runs if run.steady for line in lines_of(run, start.rig) if line.named is None]
     lines.sort(key=lambda line: -line.amplitude)
     return [line.frequency for line in lines[:_TONES]]
 
 
-def _sums(runs: Sequence[Observed], rig: Rig, tones: Sequence[float], *, held: bool) -> tuple[list[Column], Sums]:
+def _sums(runs: Sequence[CalibratedRun], rig: Rig, tones: Sequence[float], *, held: bool) -> tuple[list[Column], Sums]:
     """Return the columns (without values) and their sums over fitted or held-out samples."""
     gram, cross, square, count, names = np.zeros((0, 0)), np.zeros(0), 0.0, 0, list[Column]()
     for number, run in enumerate(runs):
@@ -83,8 +81,8 @@ def _sums(runs: Sequence[Observed], rig: Rig, tones: Sequence[float], *, held: b
     return names, Sums(gram, cross, square, count)
 
 
-def _rows(run: Observed, *, held: bool, seed: int) -> NDArray[np.int64]:
-    every = np.concatenate([np.arange(each.start, each.stop) for each in run.stretches if each.held == held])
+def _rows(run: CalibratedRun, *, held: bool, seed: int) -> NDArray[np.int64]:
+    every = np.flatnonzero(run.held == held)
     rng = np.random.default_rng([seed, int(held)])
     return np.asarray(np.sort(rng.choice(every, min(_SAMPLES, every.size), replace=False)))
 

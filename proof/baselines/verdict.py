@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from torquerig.diagnosis.engine import Outcome
-from torquerig.diagnosis.outcome import SCHEMA
+from proof.baselines.calibrated import Calibrated
+from torquerig.inference.answer.document import SCHEMA
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -21,7 +21,7 @@ class Named:
 
 
 def verdict(
-    word: str, outcome: Outcome, named: Sequence[Named] = (), *, metric: str = "", before: float | None = None,
+    word: str, start: Calibrated, named: Sequence[Named] = (), *, metric: str = "", before: float | None = None,
     after: float | None = None,
 ) -> dict[str, Any]:  # fmt: skip
     """Return the JSON of a verdict, with residuals if the baseline has a model."""
@@ -47,8 +47,5 @@ def verdict(
             "improvement": None,
         },
         "model": None,
-        "recordings": [
-            {"file": one.file, "speed_rpm": one.speed_rpm, "used_for": one.used_for}
-            for one in outcome.diagnosis.recordings
-        ],
+        "recordings": start.diagnosis["recordings"],
     }

@@ -5,16 +5,15 @@ from __future__ import annotations
 import json
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from proof.baselines.calibrated import Calibrated, by_likelihood
 from proof.prove.trial_set import BASELINE_VERDICTS, COSTS, DIAGNOSES, REFUSED
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
-from torquerig.diagnosis.engine import Outcome, diagnose
-from torquerig.diagnosis.outcome import as_json
 from torquerig.document import read_document
 from torquerig.recordings.files import read_recording
 from torquerig.recordings.recording import Recording
@@ -27,18 +26,21 @@ SCENARIO = "wear_rig.yaml"
 
 @dataclass(frozen=True, kw_only=True)
 class DiagnosisJob:
-    """Recordings of one rig, the folder of its diagnosis, and the names of the baselines to run."""
+    """Recordings of one rig, the folder of its diagnosis, the names of the baselines to run, and the engine."""
 
     name: str
     recordings: tuple[Path, ...]
     folder: Path
     baselines: tuple[str, ...] = ()
+    engine: str = "rules"
 
 
-def job_of(name: str, recordings: Path, folder: Path, *, baselines: Sequence[str] = ()) -> DiagnosisJob:
+def job_of(
+    name: str, recordings: Path, folder: Path, *, baselines: Sequence[str] = (), engine: str = "rules"
+) -> DiagnosisJob:
     """Return the job for all tables of a folder of recordings."""
     tables = tuple(sorted(recordings.glob("*.parquet")))
-    return DiagnosisJob(name=name, recordings=tables, folder=folder, baselines=tuple(baselines))
+    return DiagnosisJob(name=name, recordings=tables, folder=folder, baselines=tuple(baselines), engine=engine)
 
 
 def is_diagnosed(job: DiagnosisJob) -> bool:
@@ -56,26 +58,50 @@ def diagnosed(job: DiagnosisJob) -> str:
     """
     try:
         started, worked = time.perf_counter(), time.process_time()
-        outcome = diagnose(nominal_scenario(), read_all(job.recordings), seed=0)
+        found, start = _ENGINES[job.engine](nominal_scenario(), read_all(job.recordings))
         cost = {
             "seconds": round(time.perf_counter() - started, 2),
             "processor_seconds": round(time.process_time() - worked, 2),
             "peak_MiB": round(_peak(), 1),
         }
-        for name, found in baseline_verdicts(outcome, job.baselines).items():
-            write_json(job.folder / BASELINE_VERDICTS / name / f"{job.name}.json", found)
+        for name, said in baseline_verdicts(start, job.baselines).items():
+            write_json(job.folder / BASELINE_VERDICTS / name / f"{job.name}.json", said)
         write_json(job.folder / COSTS / f"{job.name}.json", cost)
-        write_json(job.folder / DIAGNOSES / f"{job.name}.json", as_json(outcome.diagnosis))
+        write_json(job.folder / DIAGNOSES / f"{job.name}.json", found)
     except Exception as wrong:
         refuse(job.folder, DIAGNOSES, job.name, wrong)
     return job.name
 
 
-def baseline_verdicts(outcome: Outcome, names: Sequence[str]) -> dict[str, dict[str, Any]]:
+def _by_rules(scenario: Scenario, recordings: Sequence[Recording]) -> tuple[dict[str, Any], Calibrated]:
+    from proof.baselines.by_rules import by_rules
+    from torquerig.diagnosis.engine import diagnose
+    from torquerig.diagnosis.outcome import as_json
+
+    outcome = diagnose(scenario, recordings, seed=0)
+    found = as_json(outcome.diagnosis)
+    return found, by_rules(outcome, found)
+
+
+def _by_likelihood(scenario: Scenario, recordings: Sequence[Recording]) -> tuple[dict[str, Any], Calibrated]:
+    from torquerig.inference.answer import as_json
+    from torquerig.inference.engine import diagnose
+
+    outcome = diagnose(scenario, recordings)
+    found = as_json(outcome)
+    return found, by_likelihood(outcome, found)
+
+
+_ENGINES: Mapping[str, Callable[..., tuple[dict[str, Any], Calibrated]]] = {
+    "rules": _by_rules, "likelihood": _by_likelihood,
+}  # fmt: skip
+
+
+def baseline_verdicts(start: Calibrated, names: Sequence[str]) -> dict[str, dict[str, Any]]:
     """Return the verdicts of the baselines on the same calibrated nominal model."""
     from proof.baselines import BASELINES
 
-    return {name: BASELINES[name](outcome) for name in names}
+    return {name: BASELINES[name](start) for name in names}
 
 
 def nominal_scenario() -> Scenario:

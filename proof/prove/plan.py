@@ -27,6 +27,8 @@ class Plan:
         Number of rigs per seed with oracle or clean-rig gains, from the first on; None: all.
     duration : float
         Length of each recording [s].
+    engine : str
+        How the diagnosis compares hypotheses: ``rules`` or ``likelihood``.
     practice, real : Path or None
         Folders of recordings with known answers.
     """
@@ -39,6 +41,7 @@ class Plan:
     riddle: bool = False
     oracle_cases: int | None = None
     duration: float = 12.0
+    engine: str = "rules"
     practice: Path | None = None
     real: Path | None = None
 
@@ -48,6 +51,7 @@ class Plan:
         words = ["python -m proof", *(f"--seed {seed}" for seed in self.seeds), f"--cases {self.cases}"]
         words += ["--duration " + f"{self.duration:g}"] if self.duration != 12.0 else []
         words += [] if self.oracle_cases is None else [f"--oracle-cases {self.oracle_cases}"]
+        words += [] if self.engine == "rules" else [f"--engine {self.engine}"]
         flags = {"--same-laws": self.same_laws, "--riddle": self.riddle}
         words += [word for word, on in flags.items() if on]
         return " ".join(words)

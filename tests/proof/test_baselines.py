@@ -1,23 +1,19 @@
 """The baselines against signals whose every part is known."""
 
-from itertools import pairwise
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 from threadpoolctl import threadpool_limits
 
 from proof.baselines import BASELINES, TITLES
+from proof.baselines.calibrated import Calibrated, CalibratedRun
 from proof.baselines.named_lines import named_lines
+from proof.baselines.refit_only import refit_only
 from proof.baselines.residual_fft import lines_of, residual_fft
 from proof.baselines.sparse_regression import sparse_regression
 from proof.baselines.stlsq import plain_stlsq, pysindy_stlsq, stlsq
 from proof.baselines.verdict import Named, verdict
 from proof.prove.diagnosing import nominal_scenario
 from proof.scoring.claims import claim_of
-from torquerig.diagnosis.looking.observed import Observed, Stretch
-from torquerig.recordings.recording import Channel, Recording
-from torquerig.recordings.run import Run
 
 RATE, DURATION = 4000.0, 6.0
 RIG = nominal_scenario().rig
@@ -35,21 +31,14 @@ def run_of(torque, speed, *, profile="steady"):
     """A run at constant or moving speed [rad/s] of the motor."""
     speed = np.broadcast_to(np.asarray(speed, dtype=float), TIME.shape)
     angle = np.cumsum(speed) / RATE
-    edges = np.linspace(0, TIME.size, 7).astype(int).tolist()
-    recording = Recording(
-        sample_rate=RATE, name="run", run=Run(speed=float(speed.max()), profile=profile),
-        channels={"torque_V": Channel(values=torque, quantity="torque", unit="V", si_per_unit=1.0)},
-    )  # fmt: skip
-    stretches = tuple(Stretch(a, b, i % 3 == 2) for i, (a, b) in enumerate(pairwise(edges)))
-    return Observed(
-        recording=recording, torque=torque, angle=angle, speed=speed, origin="known", angle_measured=True,
-        stretches=stretches,
-    )  # fmt: skip
+    held = np.arange(TIME.size) * 6 // TIME.size % 3 == 2
+    return CalibratedRun(
+        rate=RATE, torque=torque, angle=angle, speed=np.array(speed), steady=profile == "steady", held=held
+    )
 
 
 def outcome_of(*runs):
-    before = SimpleNamespace(runs=runs, nominal=RIG, model=SimpleNamespace(rig=RIG))
-    return SimpleNamespace(before=before, diagnosis=SimpleNamespace(recordings=()))
+    return Calibrated(runs=runs, nominal=RIG, rig=RIG, diagnosis={"recordings": []})
 
 
 def noise(seed):
@@ -124,6 +113,14 @@ def test_sparse_regression_finds_a_mesh_order_with_its_teeth():
     said = sparse_regression(outcome_of(run_of(torque, speed, profile="ramp")))
     assert said["findings"][0]["mechanism"] == "gear_mesh"
     assert said["findings"][0]["parameters"]["order_output"]["value"] == 83.0
+
+
+def test_refitting_alone_says_adequate_where_nothing_differs():
+    fit = {"metric": "mean square", "before": {"heldout_misfit": 1.0, "nominal": 4.0}}
+    for places, word in (([], "adequate"), ([{"at": 84.0}], "unexplained")):
+        diagnosis = {"recordings": [], "mismatch": places, "fit": fit}
+        said = refit_only(Calibrated(runs=(), nominal=RIG, rig=RIG, diagnosis=diagnosis))
+        assert (said["verdict"], said["fit"]["after"]["heldout_misfit"]) == (word, 1.0)
 
 
 def test_a_baselines_verdict_is_scored_as_a_diagnosis_is():

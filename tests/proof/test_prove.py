@@ -129,6 +129,8 @@ def test_oracle_and_gains_are_asked_for_where_they_are_due(tmp_path):
     }  # fmt: skip
     write_json(tmp_path / "oracle" / "mesh.json", {})
     assert {job.name for job in opened_jobs(answers, tmp_path)} == {"clean", "both"}
+    by_likelihood = opened_jobs(answers, tmp_path, engine="likelihood")
+    assert {job.name for job in by_likelihood} == {"both"}, "the likelihood has no thresholds to derive"
 
 
 @pytest.mark.long
