@@ -15,7 +15,7 @@ from torquerig.reporting.json_results.diagnosis import DiagnoseCheckResult, Inse
 from torquerig.reporting.layout import plain
 from torquerig.rig.imposed_part import imposed_part
 from torquerig.scenario.model import Scenario
-from torquerig.scenario.recorded.compared_channel import as_measured
+from torquerig.scenario.recorded.as_compared import as_compared
 
 
 def checked_by_likelihood(
@@ -34,7 +34,8 @@ def checked_by_likelihood(
         return DiagnoseCheckResult(tuple(lines))
     names = [one.name for one in held_out]
     with stages("diagnose --check") as progress:
-        ready = prepared(scenario, as_measured(recordings, scenario.rig), held_out=names, progress=progress)
+        compared = as_compared(scenario, recordings)
+        ready = prepared(compared.scenario, compared.recordings, held_out=names, progress=progress)
         progress("computing what the recordings would show")
         found = beforehand(ready)
     *first, last = lines

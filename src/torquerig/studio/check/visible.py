@@ -44,15 +44,15 @@ def visible(question: DiagnosisQuestion, report: Report) -> Visible:
     from torquerig.reporting.layout import plain
     from torquerig.rig.imposed_part import imposed_part
     from torquerig.scenario.reading import read_scenario
-    from torquerig.scenario.recorded.compared_channel import as_measured
+    from torquerig.scenario.recorded.as_compared import as_compared
 
     report(stage="reading the recordings")
     catalog = catalog_for(question.path, question.catalogs)
     scenario = read_scenario(parse_document(question.text, question.path), catalog, seed=question.seed)
     if imposed_part(scenario.rig) is not None:
         raise InputError("the smallest sizes of a rig whose motion was measured are not computed yet")
-    recordings = as_measured([read_recording(path) for path in question.recordings], scenario.rig)
-    ready = prepared(scenario, recordings, held_out=[], progress=lambda stage: report(stage=stage))
+    compared = as_compared(scenario, [read_recording(path) for path in question.recordings])
+    ready = prepared(compared.scenario, compared.recordings, held_out=[], progress=lambda stage: report(stage=stage))
     report(stage="computing what the recordings would show")
     found = beforehand(ready)
     return Visible(

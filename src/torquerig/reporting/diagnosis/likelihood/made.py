@@ -18,8 +18,8 @@ from torquerig.reporting.diagnosis.likelihood.sentences import remarks_of, verdi
 from torquerig.reporting.diagnosis.sentences import MOTION_RESIDUAL
 from torquerig.rig.imposed_part import imposed_part
 from torquerig.scenario.model import Scenario
-from torquerig.scenario.recorded.compared_channel import as_measured
-from torquerig.scenario.recorded.input_checks import as_driven
+from torquerig.scenario.recorded.as_compared import as_compared
+from torquerig.scenario.recorded.compared_channel import with_sensor_errors
 
 
 def diagnosed_by_likelihood(
@@ -35,11 +35,12 @@ def diagnosed_by_likelihood(
             sentence=verdict_of(data, measure=MOTION_RESIDUAL), answer=partial(first_screen, data, percent=True),
             lines=_motion_lines, page=partial(_motion_page, outcome=moved, title=scenario.title, seed=seed),
         )  # fmt: skip
-    read = as_driven(scenario, as_measured(recordings, scenario.rig))
-    outcome = diagnose(scenario, read, held_out=held_out, progress=progress)
-    data = as_json(outcome)
+    compared = as_compared(scenario, recordings)
+    outcome = diagnose(compared.scenario, compared.recordings, held_out=held_out, progress=progress)
+    data = {**as_json(outcome), "remarks": [*compared.choices]}
+    completed = with_sensor_errors(outcome.completed, scenario.rig) if outcome.completes else None
     return Diagnosed(
-        data=data, completed=outcome.completed if outcome.completes else None, sentence=verdict_of(data),
+        data=data, completed=completed, sentence=verdict_of(data),
         answer=partial(first_screen, data), lines=_lines,
         page=partial(_page, outcome=outcome, title=scenario.title, seed=seed),
     )  # fmt: skip

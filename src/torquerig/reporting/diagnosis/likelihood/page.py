@@ -64,7 +64,7 @@ def likelihood_page(
         **first_and_others(_pictures(outcome, data["rms"]["unit"])), "omitted_pictures": (),
         "rejected": _rejected(data["set_aside"]), "added": None,
         "fitted": fitted_parameters_table(outcome.nominal.nominal, before, after) if before.knobs else None,
-        "recordings": tables.runs_table(data["recordings"]),
+        "recordings": tables.conditions_table(data["recordings"], outcome.runs),
     }  # fmt: skip
     return rendered(content, title=title, command=command, model=model, seed=seed)
 

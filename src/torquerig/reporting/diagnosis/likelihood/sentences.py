@@ -46,10 +46,10 @@ def _place(data: Mapping[str, Any]) -> str:
 
 
 def remarks_of(data: Mapping[str, Any]) -> list[str]:
-    """Return how far the best alternative of each finding is behind, and what an adequate answer would have shown."""
+    """Return which channel is compared, what an adequate answer would have shown, and the best alternatives."""
     limits = [_limit(one) for one in data["upper_limits"]]
     shown = [f"These runs would have shown, in 95 % of such runs: {', '.join(limits)}."] if limits else []
-    return shown + [
+    return [*data.get("remarks", ()), *shown] + [
         f"Alternative to {mechanism_text(one['mechanism'])}: {one['alternatives'][0]['hypothesis']}, "
         f"{plain(one['alternatives'][0]['nats_behind'], 2)} nats less likely."
         for one in data["findings"] if one.get("alternatives")

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from torquerig.inference.answer.mismatch import Mismatch
 from torquerig.inference.fit import Fit
 from torquerig.inference.knobs import Knob
+from torquerig.inference.measured_run import MeasuredRun
 from torquerig.reporting.diagnosis.sentences import mechanism_text
 from torquerig.reporting.layout import Cell, Table, number, plain, words
 from torquerig.rig.assembly import Rig
@@ -125,6 +126,22 @@ def runs_table(rows: Sequence[Mapping[str, Any]]) -> Table:
         caption="The recordings", head=("recording", "mean speed [rpm]", "used for"),
         rows=tuple((*words(each["file"]), number(plain(each["speed_rpm"], 5)), *words(use[each["used_for"]]))
                    for each in rows),
+    )  # fmt: skip
+
+
+def conditions_table(rows: Sequence[Mapping[str, Any]], runs: Sequence[MeasuredRun]) -> Table:
+    """Return the recordings with their conditions, the source of the shaft angle, and what they were used for."""
+    by_name = {run.name: run for run in runs}
+    plain_rows = {each["file"]: row for each, row in zip(rows, runs_table(rows).rows, strict=True)}
+    made = []
+    for name, (file, speed, use) in plain_rows.items():
+        run = by_name[name]
+        load = "" if run.run.occupancy_percent is None else f"{run.run.occupancy_percent:g} %"
+        length, angle = f"{run.recording.duration:g}", "measured" if run.has_encoder else "estimated"
+        made.append((file, *words(run.run.profile), speed, number(load), number(length), *words(angle), use))
+    return Table(
+        caption="The recordings", rows=tuple(made),
+        head=("recording", "profile", "mean speed [rpm]", "occupancy", "length [s]", "shaft angle", "used for"),
     )  # fmt: skip
 
 
