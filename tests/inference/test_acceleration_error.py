@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from tests.inference.drawn_runs import drawn_run, ramp, steady
-from torquerig.diagnosis.looking.observed import speed_of
 from torquerig.inference.features.level_motion import level_motion
 from torquerig.inference.features.run_features import run_features
+from torquerig.inference.motor_angle.smoothed_speed import speed_of
 from torquerig.inference.prediction.acceleration_error import acceleration_covariance
 
 PULSES, RATE = 24.0, 2000.0
