@@ -1,0 +1,51 @@
+"""Which of the fitted additions of a round is taken: the likeliest given fitted and held-out data."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import pytest
+
+from torquerig.inference import search
+from torquerig.inference.addition import Addition
+from torquerig.inference.fit import Data
+from torquerig.inference.likelihood import Discrepancy
+from torquerig.inference.model import Model
+
+PART = SimpleNamespace(name="hum")
+HARMONIC = Addition(mechanism="mains_interference", label="hum at 300 Hz", parts=(PART,))
+FUNDAMENTAL = Addition(mechanism="mains_interference", label="hum at 60 Hz", parts=(PART,))
+NO_DATA = Data((), ())
+
+
+def model(evidence, *additions):
+    return Model(SimpleNamespace(log_evidence=evidence, off=Discrepancy(), unseen=0.0), additions, ())
+
+
+@pytest.fixture
+def round_of(monkeypatch):
+    """Return a round of the search over models that are fitted already, each with its held-out log-likelihood."""
+
+    def extended(*fits):
+        monkeypatch.setattr(search, "proposals", lambda _: [])
+        monkeypatch.setattr(search, "_fitted", lambda *_: [made for made, _ in fits])
+        for made, unseen in fits:
+            made.fit.unseen = unseen
+        monkeypatch.setattr(search, "held_out_density", lambda fit, _: fit.unseen)
+        return search._extended(model(0.0), NO_DATA, NO_DATA)[0]
+
+    return extended
+
+
+def test_held_out_data_count_as_fitted_ones(round_of):
+    # a harmonic that is 0.4 nats ahead in the fitted blocks leaves the fundamental in the others
+    best = round_of((model(14.7, HARMONIC), 21.6), (model(14.3, FUNDAMENTAL), 49.0))
+    assert best.additions == (FUNDAMENTAL,)
+    ((added, other, gap),) = best.alternatives
+    assert (added, other) == (FUNDAMENTAL, HARMONIC)
+    assert gap == pytest.approx(14.3 + 49.0 - 14.7 - 21.6)
+
+
+def test_what_fails_on_held_out_data_is_not_taken(round_of):
+    best = round_of((model(40.0, HARMONIC), 1.0), (model(14.3, FUNDAMENTAL), 20.0))
+    assert best.additions == (FUNDAMENTAL,)
