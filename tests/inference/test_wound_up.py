@@ -29,3 +29,14 @@ def test_steps_are_short_enough_for_a_soft_reversal():
     assert np.abs(held - share_held(-np.cos(fine), 0.03, 0.05e-3 / 20)[::20]).max() < 0.01
     # the springs carry what the slip leaves of the angle: half way the shaft turns on at the speed of the motor
     assert np.abs(held[TIME.size // 2]) == pytest.approx(np.tanh(np.sin(2.0) / 0.05), abs=1e-3)
+
+
+def test_each_step_obeys_the_law_of_a_soft_element():
+    wound, slip = 0.4, 0.02
+    held = share_held(-np.cos(TIME), wound, slip)
+    asked = held[:-1] + np.diff(-np.cos(TIME)) / wound
+    followed = np.abs(held[1:]) < 0.999
+    assert followed.sum() > 1000
+    assert (held[1:] + slip / wound * np.arctanh(held[1:] * followed))[followed] == pytest.approx(
+        asked[followed], abs=1e-4
+    )

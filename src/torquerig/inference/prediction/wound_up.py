@@ -12,13 +12,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
-from math import atanh
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.inference.features.level_motion import POINTS
 from torquerig.inference.features.run_features import RunFeatures
+from torquerig.linear_twin.kernel import smoothed_share
 from torquerig.linear_twin.quasi_static import OPPOSING, dry_torque
 from torquerig.linear_twin.twin import Twin
 from torquerig.rig.terms import Inertia
@@ -27,8 +27,6 @@ Floats = NDArray[np.float64]
 
 _MOMENTS = 6000  # of a run at which the operator is followed
 _SLOWEST = 1e-9  # [rad/s] at which a shaft starts to slide
-_SATURATED = 4.0  # times the smoothing: at this speed 99.9 % of the torque are held
-_HALVINGS = 20  # of the range of y: to 2e-6
 
 
 def held_shares(twin: Twin, seen: RunFeatures) -> Mapping[str, Floats] | None:
@@ -102,24 +100,6 @@ def share_held(angle: Floats, wound: float, slip: float) -> Floats:
     speed of its smoothing [rad]. Implicit Euler steps: ``y + (slip / wound) artanh(y) = y_before + step / wound``.
     """
     least = max(wound, 1e-12)
-    steps, softness = (np.diff(angle) / least).tolist(), max(slip / least, 1e-9)
-    here = float(np.tanh(steps[0] / softness)) if steps else 0.0
-    held = [here]
-    for step in steps:
-        here = _held_after(here + step, softness)
-        held.append(here)
-    return np.array(held)
-
-
-def _held_after(asked: float, softness: float) -> float:
-    """Return y with ``y + softness artanh(y) = asked``, by bisection."""
-    if abs(asked) > 1 + _SATURATED * softness:
-        return float(np.sign(asked))
-    low, high = -1.0, 1.0
-    for _ in range(_HALVINGS):
-        middle = 0.5 * (low + high)
-        if middle + softness * atanh(middle) < asked:
-            low = middle
-        else:
-            high = middle
-    return 0.5 * (low + high)
+    steps, softness = np.diff(angle) / least, max(slip / least, 1e-9)
+    here = float(np.tanh(steps[0] / softness)) if steps.size else 0.0
+    return np.concatenate([[here], smoothed_share(steps, softness, here)])
