@@ -7,15 +7,20 @@ from pathlib import Path
 
 from torquerig.cli.progress import stages
 from torquerig.inference.engine import Prepared, prepared
-from torquerig.inference.isolability.beforehand import Beforehand, beforehand
+from torquerig.inference.isolability.beforehand import Beforehand, Inseparable, beforehand
+from torquerig.inference.motion.beforehand import inseparable, limits, signatures
+from torquerig.inference.motion.engine import nominal_fits
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.recording import Recording
 from torquerig.reporting.diagnosis.sentences import mechanism_text
 from torquerig.reporting.json_results.diagnosis import DiagnoseCheckResult, InseparablePair, UpperLimit
 from torquerig.reporting.layout import plain
 from torquerig.rig.imposed_part import imposed_part
+from torquerig.rig.reading_place import effort_unit
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.recorded.as_compared import as_compared
+
+_FURTHER = "Record a run that turns back, and one at another speed; the next run is not computed under measured motion."
 
 
 def checked_by_likelihood(
@@ -30,17 +35,38 @@ def checked_by_likelihood(
     InputError, RecordingError
         As a diagnosis.
     """
-    if imposed_part(scenario.rig) is not None:
-        return DiagnoseCheckResult(tuple(lines))
     names = [one.name for one in held_out]
+    if imposed_part(scenario.rig) is not None:
+        return _checked_motion(scenario, recordings, lines, names)
     with stages("diagnose --check") as progress:
         compared = as_compared(scenario, recordings)
         ready = prepared(compared.scenario, compared.recordings, held_out=names, progress=progress)
         progress("computing what the recordings would show")
         found = beforehand(ready)
     *first, last = lines
+    return _result([*first, *_suspicions(ready), *_text(found), last], found)
+
+
+def _checked_motion(
+    scenario: Scenario, recordings: Sequence[Recording], lines: Sequence[str], held_out: Sequence[str]
+) -> DiagnoseCheckResult:
+    """Return the check where the motion was measured."""
+    with stages("diagnose --check") as progress:
+        _, nominal = nominal_fits(scenario, recordings, held_out_runs=held_out, progress=progress)
+        progress("computing what the recordings would show")
+        seen = signatures(nominal)
+    found = Beforehand(
+        tuple(limits(seen, effort_unit(nominal.rig))),
+        tuple(Inseparable(one.label, other.label, (one.mechanism, other.mechanism), _FURTHER)
+              for one, other in inseparable(seen)),
+    )  # fmt: skip
+    *first, last = lines
+    return _result([*first, *_text(found), last], found)
+
+
+def _result(lines: Sequence[str], found: Beforehand) -> DiagnoseCheckResult:
     return DiagnoseCheckResult(
-        (*first, *_suspicions(ready), *_text(found), last),
+        tuple(lines),
         tuple(UpperLimit(**each) for each in found.upper_limits),
         tuple(InseparablePair(each.one, each.other, each.mechanisms, each.next_experiment)
               for each in found.inseparable),

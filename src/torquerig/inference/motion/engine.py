@@ -86,6 +86,21 @@ def diagnose_motion(
     InputError, RecordingError
         Where the scenario measures no imposed motion, or a recording lacks effort or motion.
     """
+    stated, nominal = nominal_fits(scenario, recordings, held_out_runs=held_out_runs, progress=progress)
+    found = searched(nominal, progress=progress)
+    progress("predicting the held-out data")
+    judged = [held_out(one) for one in (stated, nominal, found.fit)]
+    if any(one is None for one in judged):
+        raise InputError("the rig cannot be simulated along the motion of the held-out recordings")
+    one, two, three = (each for each in judged if each is not None)
+    return MotionOutcome(nominal.runs, stated, nominal, found.fit, (one, two, three), found.steps, found.refused)
+
+
+def nominal_fits(
+    scenario: Scenario, recordings: Sequence[Recording], *, held_out_runs: Sequence[str],
+    progress: Progress,
+) -> tuple[Fit, Fit]:  # fmt: skip
+    """Return the scenario as it is stated, and with its uncertain parameters fitted; errors as ``diagnose_motion``."""
     rig = scenario.rig.at(recordings[0].run)
     progress("differentiating the motion")
     runs = imposed_runs(recordings, rig, held_out=held_out_runs)
@@ -95,13 +110,7 @@ def diagnose_motion(
     nominal = fitted(Model(rig, (*knobs, *_smoothing(rig, knobs))), runs)
     if stated is None or nominal is None:
         raise InputError("the rig cannot be simulated along the measured motion; state less stiffness or more damping")
-    found = searched(nominal, progress=progress)
-    progress("predicting the held-out data")
-    judged = [held_out(one) for one in (stated, nominal, found.fit)]
-    if any(one is None for one in judged):
-        raise InputError("the rig cannot be simulated along the motion of the held-out recordings")
-    one, two, three = (each for each in judged if each is not None)
-    return MotionOutcome(runs, stated, nominal, found.fit, (one, two, three), found.steps, found.refused)
+    return stated, nominal
 
 
 def sizes_of(fit: Fit, name: str, *, scale: float) -> Floats:

@@ -16,7 +16,7 @@ from torquerig.rig.reading_place import effort_unit
 
 _FAR = 4.0  # standard deviations of its prior: a number of the scenario beyond (6e-5) is wrong
 
-_FIELDS: Mapping[str, tuple[str, str, str]] = {  # field: name, unit where it turns, unit in a line
+FIELDS: Mapping[str, tuple[str, str, str]] = {  # field: name, unit where it turns, unit in a line
     "coulomb": ("coulomb_Nm", "N*m", "N"), "static": ("static_Nm", "N*m", "N"),
     "viscous": ("viscous_Nms", "N*m*s/rad", "N*s/m"), "stribeck_speed": ("stribeck_rad_s", "rad/s", "m/s"),
     "stiffness": ("stiffness", "N*m/rad", "N/m"), "gap": ("gap_arcmin", "arcmin", "m"),
@@ -31,9 +31,9 @@ def parameters_of(outcome: MotionOutcome, own: Hypothesis) -> Iterator[tuple[str
     two_ways = any(knob.field == "coulomb_backward" for knob in own.knobs)
     for knob in own.knobs:
         field, back = knob.field.removesuffix("_backward"), knob.field.endswith("_backward")
-        if field not in _FIELDS:
+        if field not in FIELDS:
             continue
-        name, turning, moving = _FIELDS[field]
+        name, turning, moving = FIELDS[field]
         if field == "gap" and line:
             name = "gap_m"
         side = "_backward" if back else "_forward" if two_ways and field in ("coulomb", "static", "viscous") else ""
