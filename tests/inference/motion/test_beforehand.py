@@ -36,7 +36,7 @@ def test_a_drift_of_the_smallest_size_gains_what_an_addition_needs() -> None:
     assert sizes["stribeck_friction"]["unit"] == "N"
 
     def drifts(time: Floats, position: Floats, speed: Floats) -> Floats:
-        return true_mass(time, position, speed) + span * time / time[-1]
+        return np.asarray(true_mass(time, position, speed) + span * time / time[-1])
 
     fit = nominal(recorded(drifts))
     drift = next(each for each in plain.propose(fit) if each.name == "sensor_drift")

@@ -20,7 +20,7 @@ Floats = NDArray[np.float64]
 Progress = Callable[[str], None]
 
 MOST_ADDITIONS = 10
-FITTED = 3  # of the proposals of one round that are fitted until they converge
+FITTED = 3  # proposals that are fitted until they converge at a time, until one is accepted
 STEPS = 8  # of a proposal with simulated parameters in each stage, before it is compared
 LEAST_GAIN, LEAST_HELD_OUT = 8.0, 3.0  # [nats] of a mechanism, as of torquerig.inference.search
 WORSE = 1.02  # of the mean square of held-out residuals, 1 % of their rms: more is no improvement in N m
@@ -122,18 +122,20 @@ def _accepted(fit: Fit, tried: Sequence[Tried]) -> Step | None:
     frequencies can pay for a worse level at a few low ones.
     """
     ranked = sorted(tried, key=lambda one: -one.log_odds)
-    passing = [one for one in ranked if one.log_odds - fit.log_odds >= _least(one.hypothesis)[0]][:FITTED]
-    before = held_out(fit)
-    if not passing or before is None:
+    passing = [one for one in ranked if one.log_odds - fit.log_odds >= _least(one.hypothesis)[0]]
+    before = held_out(fit) if passing else None
+    if before is None:
         return None
-    full = [
-        Tried(one.hypothesis, (fitted(one.fit.model, fit.runs, after=one.fit) or one.fit)) for one in passing
-    ]  # fmt: skip
-    judged = [(one, after) for one in full if (after := held_out(one.fit)) is not None]
-    for one, after in sorted(judged, key=lambda pair: -pair[0].log_odds - pair[1].log_density):
-        gained = after.log_density - before.log_density
-        if gained >= _least(one.hypothesis)[1] and after.square <= WORSE * before.square:
-            return Step(one, one.log_odds - fit.log_odds, ())
+    for start in range(0, len(passing), FITTED):  # forms of one effect can fill the first places and all be refused
+        full = [
+            Tried(one.hypothesis, (fitted(one.fit.model, fit.runs, after=one.fit) or one.fit))
+            for one in passing[start : start + FITTED]
+        ]
+        judged = [(one, after) for one in full if (after := held_out(one.fit)) is not None]
+        for one, after in sorted(judged, key=lambda pair: -pair[0].log_odds - pair[1].log_density):
+            gained = after.log_density - before.log_density
+            if gained >= _least(one.hypothesis)[1] and after.square <= WORSE * before.square:
+                return Step(one, one.log_odds - fit.log_odds, ())
     return None
 
 

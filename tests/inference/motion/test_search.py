@@ -1,0 +1,31 @@
+"""Which proposal a round accepts."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from torquerig.inference.motion import search
+from torquerig.inference.motion.hypothesis import Hypothesis
+
+
+def tried(name: str, *, odds: float, density: float, square: float) -> Any:
+    fit = SimpleNamespace(log_odds=odds, model=None, density=density, square=square)
+    return search.Tried(Hypothesis(name=name, label=name), fit)  # type: ignore[arg-type]
+
+
+def test_refused_forms_of_one_effect_do_not_hide_the_next_effect(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Four forms of a line, all refused by the held-out rms, are ahead of an effect that passes."""
+    monkeypatch.setattr(search, "fitted", lambda *_, **__: None)
+    monkeypatch.setattr(
+        search, "held_out", lambda fit: SimpleNamespace(log_density=fit.density, square=fit.square)
+    )  # fmt: skip
+    now: Any = SimpleNamespace(log_odds=0.0, runs=(), density=0.0, square=1.0)
+    forms = [tried(f"line {form}", odds=50.0 - form, density=20.0, square=1.5) for form in range(4)]
+    passing = tried("over_speed", odds=20.0, density=10.0, square=0.5)
+    step = search._accepted(now, [*forms, passing])
+    assert step is not None
+    assert step.kept.hypothesis.name == "over_speed"
+    assert search._accepted(now, forms) is None
