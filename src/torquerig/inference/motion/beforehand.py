@@ -103,7 +103,9 @@ def _linear(nominal: _Nominal, each: Hypothesis) -> Signature | None:
 
 def _simulated(nominal: _Nominal, each: Hypothesis) -> Signature | None:
     """Return the size between two simulated ones at which the length of the signature is the least one."""
-    (main,) = (knob for knob in each.knobs if knob.field in _SIZES)
+    main = next((knob for knob in each.knobs if knob.field in _SIZES), None)
+    if main is None:  # a limit has no size that grows from nothing
+        return None
     median, least, before = main.value(nominal.fit.model.plus(each).rig), _least(each), (0.0, 0.0)
     for share in _SHARES.tolist():
         change = _change(nominal, each, share)

@@ -30,6 +30,9 @@ def parameters_of(outcome: MotionOutcome, own: Hypothesis) -> Iterator[tuple[str
     line = effort_unit(outcome.completed) == "N"
     two_ways = any(knob.field == "coulomb_backward" for knob in own.knobs)
     for knob in own.knobs:
+        if knob.field == "limit":
+            channel = outcome.runs[0].channel
+            yield "limit_V", _estimate(outcome, knob, channel.unit, factor=1 / abs(channel.si_per_unit))
         field, back = knob.field.removesuffix("_backward"), knob.field.endswith("_backward")
         if field not in FIELDS:
             continue
