@@ -29,3 +29,13 @@ def test_refused_forms_of_one_effect_do_not_hide_the_next_effect(monkeypatch: py
     assert step is not None
     assert step.kept.hypothesis.name == "over_speed"
     assert search._accepted(now, forms) is None
+
+
+def test_the_form_of_an_effect_is_the_one_that_predicts_in_newton_metres() -> None:
+    """By direction a line has free sizes in a direction that no fit has seen: more likely, and no prediction."""
+    forms = [tried("line", odds=50.0, density=density, square=square) for density, square in ((20.0, 1.8), (5.0, 1.0))]
+    other = tried("tone", odds=40.0, density=0.0, square=0.9)
+    judged: Any = [
+        (one, SimpleNamespace(log_density=one.fit.density, square=one.fit.square)) for one in (*forms, other)
+    ]
+    assert search._best(judged) is forms[1]

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from torquerig.inference.motion.fit import fitted
 from torquerig.inference.motion.fitted_model import Fit
-from torquerig.inference.motion.held_out import held_out
+from torquerig.inference.motion.held_out import HeldOut, held_out
 from torquerig.inference.motion.hypotheses import proposals
 from torquerig.inference.motion.hypothesis import Hypothesis
 
@@ -132,11 +132,28 @@ def _accepted(fit: Fit, tried: Sequence[Tried]) -> Step | None:
             for one in passing[start : start + FITTED]
         ]
         judged = [(one, after) for one in full if (after := held_out(one.fit)) is not None]
-        for one, after in sorted(judged, key=lambda pair: -pair[0].log_odds - pair[1].log_density):
-            gained = after.log_density - before.log_density
-            if gained >= _least(one.hypothesis)[1] and after.square <= WORSE * before.square:
-                return Step(one, one.log_odds - fit.log_odds, ())
+        better = [
+            (one, after) for one, after in judged
+            if after.log_density - before.log_density >= _least(one.hypothesis)[1]
+            and after.square <= WORSE * before.square
+        ]  # fmt: skip
+        if better:
+            best = _best(better)
+            return Step(best, best.log_odds - fit.log_odds, ())
     return None
+
+
+def _best(judged: Sequence[tuple[Tried, HeldOut]]) -> Tried:
+    """Return the most probable by all frames, of each effect only the forms with its least rms residual in N m.
+
+    A form for a direction or run that no fit has seen has free sizes there: they make held-out frames more likely, and
+    predict nothing.
+    """
+    least: dict[str, float] = {}
+    for one, after in judged:
+        least[one.hypothesis.name] = min(after.square, least.get(one.hypothesis.name, np.inf))
+    kept = [(one, after) for one, after in judged if after.square <= WORSE * least[one.hypothesis.name]]
+    return max(kept, key=lambda pair: pair[0].log_odds + pair[1].log_density)[0]
 
 
 def _without_needless(fit: Fit, last: str) -> Fit:
@@ -165,10 +182,16 @@ def _in_place(fit: Fit, each: Hypothesis) -> tuple[Fit, Step]:
     full = [
         Tried(one.hypothesis, fitted(one.fit.model, fit.runs, after=one.fit) or one.fit) for one in instead[:FITTED]
     ]
-    kept = max([Tried(each, fit), *full], key=lambda one: one.log_odds)
-    every = [*full, *instead[FITTED:], Tried(each, fit)]
-    others = [(one.hypothesis, kept.log_odds - one.log_odds) for one in every if one.hypothesis is not kept.hypothesis]
-    others = sorted(((one, max(gap, 0.0)) for one, gap in others), key=lambda pair: pair[1])
+    here = Tried(each, fit)
+    judged = [(one, after) for one in (here, *full) if (after := held_out(one.fit)) is not None]
+    density, square = {id(one): after.log_density for one, after in judged}, judged[0][1].square if judged else 0.0
+    kept = _best([pair for pair in judged if pair[1].square <= WORSE * square]) if id(here) in density else here
+    held = density.get(id(kept), 0.0)
+    behind = [
+        (one.hypothesis, max(kept.log_odds - one.log_odds + held - density.get(id(one), held), 0.0))
+        for one in (here, *full, *instead[FITTED:]) if one.hypothesis is not kept.hypothesis
+    ]  # fmt: skip
+    others = sorted(behind, key=lambda pair: pair[1])
     return kept.fit, Step(kept, kept.log_odds - less.log_odds, tuple(others))
 
 
