@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -35,6 +36,8 @@ def test_the_form_of_an_effect_is_the_one_that_predicts_in_newton_metres() -> No
     """By direction a line has free sizes in a direction that no fit has seen: more likely, and no prediction."""
     forms = [tried("line", odds=50.0, density=density, square=square) for density, square in ((20.0, 1.8), (5.0, 1.0))]
     other = tried("tone", odds=40.0, density=0.0, square=0.9)
+    of_each = tried("line", odds=49.0, density=0.0, square=0.7)  # its sizes are those of the held-out run
+    forms.append(replace(of_each, hypothesis=replace(of_each.hypothesis, local=True)))
     judged: Any = [
         (one, SimpleNamespace(log_density=one.fit.density, square=one.fit.square)) for one in (*forms, other)
     ]

@@ -146,13 +146,18 @@ def _accepted(fit: Fit, tried: Sequence[Tried]) -> Step | None:
 def _best(judged: Sequence[tuple[Tried, HeldOut]]) -> Tried:
     """Return the most probable by all frames, of each effect only the forms with its least rms residual in N m.
 
-    A form for a direction or run that no fit has seen has free sizes there: they make held-out frames more likely, and
-    predict nothing.
+    A form for a direction that no fit has seen has free sizes there: they make held-out frames more likely, and predict
+    nothing. Forms of each run are estimated in held-out runs too; their price is in the density, so that they do not
+    set the least residual.
     """
     least: dict[str, float] = {}
     for one, after in judged:
-        least[one.hypothesis.name] = min(after.square, least.get(one.hypothesis.name, np.inf))
-    kept = [(one, after) for one, after in judged if after.square <= WORSE * least[one.hypothesis.name]]
+        if not one.hypothesis.local:
+            least[one.hypothesis.name] = min(after.square, least.get(one.hypothesis.name, np.inf))
+    kept = [
+        (one, after) for one, after in judged
+        if one.hypothesis.local or after.square <= WORSE * least[one.hypothesis.name]
+    ]  # fmt: skip
     return max(kept, key=lambda pair: pair[0].log_odds + pair[1].log_density)[0]
 
 
@@ -184,11 +189,11 @@ def _in_place(fit: Fit, each: Hypothesis) -> tuple[Fit, Step]:
     ]
     here = Tried(each, fit)
     judged = [(one, after) for one in (here, *full) if (after := held_out(one.fit)) is not None]
-    density, square = {id(one): after.log_density for one, after in judged}, judged[0][1].square if judged else 0.0
-    kept = _best([pair for pair in judged if pair[1].square <= WORSE * square]) if id(here) in density else here
-    held = density.get(id(kept), 0.0)
+    kept = here
+    if judged and judged[0][0] is here:
+        kept = _best([pair for pair in judged if pair[1].square <= WORSE * judged[0][1].square])
     behind = [
-        (one.hypothesis, max(kept.log_odds - one.log_odds + held - density.get(id(one), held), 0.0))
+        (one.hypothesis, max(kept.log_odds - one.log_odds, 0.0))
         for one in (here, *full, *instead[FITTED:]) if one.hypothesis is not kept.hypothesis
     ]  # fmt: skip
     others = sorted(behind, key=lambda pair: pair[1])
