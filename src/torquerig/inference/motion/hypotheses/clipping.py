@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from torquerig import mechanisms
-from torquerig.diagnosis.fitting.knobs import Knob
+from torquerig.inference.knobs import Knob
 from torquerig.inference.motion.fitted_model import Fit
 from torquerig.inference.motion.hypothesis import MECHANISM, Hypothesis
 from torquerig.recordings.recording import Channel
