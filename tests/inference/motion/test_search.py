@@ -42,3 +42,10 @@ def test_the_form_of_an_effect_is_the_one_that_predicts_in_newton_metres() -> No
         (one, SimpleNamespace(log_density=one.fit.density, square=one.fit.square)) for one in (*forms, other)
     ]
     assert search._best(judged) is forms[1]
+
+
+def test_held_out_data_count_against_an_alternative_and_not_for_it() -> None:
+    kept, worse, free = (tried(name, odds=odds, density=0.0, square=1.0) for name, odds in
+                         (("friction", 50.0), ("mode", 52.0), ("line by direction", 20.0)))  # fmt: skip
+    density = {id(kept): 0.0, id(worse): -30.0, id(free): 100.0}
+    assert [search._gap(kept, other, density) for other in (worse, free)] == [28.0, 30.0]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import lgamma
 from typing import Any
@@ -192,12 +192,19 @@ def _in_place(fit: Fit, each: Hypothesis) -> tuple[Fit, Step]:
     kept = here
     if judged and judged[0][0] is here:
         kept = _best([pair for pair in judged if pair[1].square <= WORSE * judged[0][1].square])
+    density = {id(one): after.log_density for one, after in judged}
     behind = [
-        (one.hypothesis, max(kept.log_odds - one.log_odds, 0.0))
-        for one in (here, *full, *instead[FITTED:]) if one.hypothesis is not kept.hypothesis
+        (one.hypothesis, _gap(kept, one, density)) for one in (here, *full, *instead[FITTED:])
+        if one.hypothesis is not kept.hypothesis
     ]  # fmt: skip
     others = sorted(behind, key=lambda pair: pair[1])
     return kept.fit, Step(kept, kept.log_odds - less.log_odds, tuple(others))
+
+
+def _gap(kept: Tried, other: Tried, density: Mapping[int, float]) -> float:
+    """Return by how many nats an alternative is behind; held-out frames may only count against it."""
+    held = density.get(id(kept), 0.0)
+    return max(kept.log_odds - other.log_odds + max(held - density.get(id(other), held), 0.0), 0.0)
 
 
 def _least(each: Hypothesis) -> tuple[float, float]:
