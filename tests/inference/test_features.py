@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from tests.inference.drawn_runs import drawn_run, ramp, steady
+from torquerig.inference.features.bands import bands
 from torquerig.inference.features.line_search import search_lines
 from torquerig.inference.features.line_skirts import exceeds_surroundings
 from torquerig.inference.features.run_features import run_features
@@ -127,3 +128,12 @@ def test_blocks_of_a_segment_show_the_same_lines():
     shown = [(segment.line_count[0], len(segment.blocks)) for segment in seen.segments]
     assert any(count == 0 for count, _ in shown)
     assert all(count in (0, blocks) for count, blocks in shown)
+
+
+def test_the_count_of_a_band_is_the_inverse_of_its_relative_variance():
+    rng, none = np.random.default_rng(3), (np.zeros(0), np.zeros(0))
+    drawn = [bands([*rng.standard_normal((2, 1000))], [none, none], RATE, slowest=4.0) for _ in range(600)]
+    power = np.array([each.power for each in drawn])
+    ratio = power.var(axis=0) / power.mean(axis=0) ** 2 * drawn[0].count
+    # a variance of 600 values scatters by 6 %, its mean over neighbouring bands by some 2 %
+    assert np.mean(ratio[power.mean(axis=0) > 0]) == pytest.approx(1.0, abs=0.08)

@@ -20,6 +20,7 @@ from torquerig.inference.prediction.expected_run import ExpectedRun
 
 Floats = NDArray[np.float64]
 
+FEWEST = 1.2  # [1] independent values behind a band: the logarithm of a single one is far from normal
 DEGREES_OF_FREEDOM = 8.0  # of Student's distribution: one odd feature in a hundred does not decide
 _LARGE_COUNT = 1e12  # of a line without noise
 _NOTHING = 1e-300  # keeps logarithms finite
@@ -146,7 +147,7 @@ def _lines(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals
 
 
 def _bands(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals:
-    shown = np.isfinite(seen.band_power) & (seen.band_count >= 1)
+    shown = np.isfinite(seen.band_power) & (seen.band_count >= FEWEST)
     density = np.log(np.maximum(model.density, _NOTHING))
     slope = np.gradient(density, np.log(seen.bands.middle), axis=1)[shown]
     scatter, lower = seen.kept.get("bands by chance", None, lambda: _of_logarithm(seen.band_count[shown]))

@@ -15,7 +15,7 @@ Floats = NDArray[np.float64]
 
 BANDS_PER_OCTAVE = 6
 _HIGHEST = 0.45  # of the sample rate
-_INDEPENDENT = 0.7  # share of neighbouring bins under a Hann window that are independent (equivalent noise bandwidth)
+_NEXT, _NEXT_BUT_ONE = 4 / 9, 1 / 36  # squared correlation of the amplitudes of two bins under a Hann window
 
 
 @dataclass(frozen=True)
@@ -30,12 +30,16 @@ class Bands:
         One-sided density [(N m)^2/Hz]; NaN where the lines leave no bin.
     count : ndarray, shape (bands,)
         Independent values in the mean.
+    block_power, block_count : ndarray, shape (blocks, bands)
+        The same of each block.
     """
 
     low: Floats
     high: Floats
     power: Floats
     count: Floats
+    block_power: Floats
+    block_count: Floats
 
     @cached_property
     def middle(self) -> Floats:
@@ -66,16 +70,35 @@ def bands(residuals: Sequence[Floats], lines: Sequence[tuple[Floats, Floats]], r
         The lower end of the first band, or less than a band below it [Hz].
     """
     edges = band_edges(rate, slowest=slowest)
-    total, used = np.zeros(edges.size - 1), np.zeros(edges.size - 1)
-    for residual, (frequency, half_width) in zip(residuals, lines, strict=True):
+    shape = (len(residuals), edges.size - 1)
+    total, used = np.zeros(shape), np.zeros(shape)
+    for row, (residual, (frequency, half_width)) in enumerate(zip(residuals, lines, strict=True)):
         density, counts = _spectrum(residual, frequency, half_width, rate)
         step = rate / residual.size
         index = np.searchsorted(edges, np.arange(density.size) * step, side="right") - 1
         inside = counts & (index >= 0) & (index < edges.size - 1)
-        total += np.bincount(index[inside], weights=density[inside], minlength=edges.size - 1)
-        used += np.bincount(index[inside], minlength=edges.size - 1)
-    power = np.where(used > 0, total / np.maximum(used, 1.0), np.nan)
-    return Bands(edges[:-1], edges[1:], power, np.maximum(_INDEPENDENT * used, 1e-3))
+        total[row] = np.bincount(index[inside], weights=density[inside], minlength=edges.size - 1)
+        used[row] = np.bincount(index[inside], minlength=edges.size - 1)
+    count, whole = independent(used), used.sum(axis=0)
+    return Bands(
+        edges[:-1], edges[1:], power=_mean(total.sum(axis=0), whole), count=np.maximum(count.sum(axis=0), 1e-3),
+        block_power=_mean(total, used), block_count=count,
+    )  # fmt: skip
+
+
+def _mean(total: Floats, used: Floats) -> Floats:
+    return np.asarray(np.where(used > 0, total / np.maximum(used, 1.0), np.nan))
+
+
+def independent(bins: Floats) -> Floats:
+    """Return how many independent values a mean over neighbouring bins of a Hann window holds [1].
+
+    The variance of a mean of N powers is ``(1 + 2 sum_k (1 - k/N) r_k^2) / N``, with ``r_1 = 2/3`` and ``r_2 = 1/6``
+    the correlations of the amplitudes (Harris 1978, Proc. IEEE 66: overlap of the transform ``1/4, 1/2, 1/4``).
+    """
+    some = np.maximum(bins, 1.0)
+    near = _NEXT * (1 - 1 / some) + _NEXT_BUT_ONE * np.maximum(1 - 2 / some, 0.0)
+    return np.asarray(bins / (1 + 2 * near))
 
 
 def _spectrum(residual: Floats, frequency: Floats, half_width: Floats, rate: float) -> tuple[Floats, NDArray[np.bool_]]:

@@ -279,6 +279,7 @@ def _segment(run: MeasuredRun, places: Sequence[Place], members: Sequence[tuple[
         line_excluded=mean(np.array([each.leakage for _, each in members])),
         line_count=count,
         bands=bands([each.residual for _, each in members], lines, run.rate, slowest=run.slowest),
+        block_lines=power,
     )
 
 

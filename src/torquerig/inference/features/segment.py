@@ -35,6 +35,8 @@ class Segment:
     line_count : ndarray, shape (places,)
         Blocks that show the line.
     bands : Bands
+    block_lines : ndarray, shape (blocks, places)
+        Square of the amplitudes in each block, noise included [(N m)^2]; NaN where it does not show the line.
     """
 
     blocks: tuple[Block, ...]
@@ -46,6 +48,7 @@ class Segment:
     line_excluded: Floats
     line_count: Floats
     bands: Bands
+    block_lines: Floats
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.features.segment import Segment
+from torquerig.inference.likelihood import FEWEST
 from torquerig.mechanisms import ParticleLoad
 from torquerig.rig.assembly import Rig
 
@@ -94,7 +95,7 @@ def _at(template: RunFeatures, segment: Segment, speed: float, *, count: float |
         line_power=np.ones(at.size),
         line_noise_bandwidth=np.full(at.size, _of_shown(segment.line_noise_bandwidth, 4 * width)),
         line_half_width=np.full(at.size, _of_shown(segment.line_half_width, 2 * width)),
-        bands=replace(bands, power=np.ones(bands.low.size), count=np.maximum(share * bands.count, 1.0)),
+        bands=replace(bands, power=np.ones(bands.low.size), count=np.maximum(share * bands.count, FEWEST)),
     )  # fmt: skip
 
 
