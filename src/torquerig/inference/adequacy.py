@@ -3,8 +3,9 @@
 Fitted and held-out blocks are tested together. Under the model the standardised residuals follow the likelihood's
 distribution, Student's. The largest of n has the p-value ``1 - F(|z|)^n``; the sum of the deviances
 ``(nu + 1) ln(1 + z^2 / nu)`` is compared with a normal distribution of their mean and variance, which holds for some
-ten features and more. What is spread over many features, each of them small, shows in the sums. The smallest p-value
-counts for as many tests as there are (Bonferroni).
+ten features and more. What is spread over many features, each of them small, shows in the sums. A line or a band that
+changes within a run at one speed shows in its blocks (``unsteady``). The smallest p-value counts for as many tests as
+there are (Bonferroni).
 """
 
 from __future__ import annotations
@@ -19,11 +20,14 @@ from torquerig.inference.discrepancy import usual
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.fit import Data, Fit, all_residuals
 from torquerig.inference.held_out import held_residuals
-from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE, Residuals
+from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE, Residuals, deviance_moments
+from torquerig.inference.prediction.expected_run import expected_run
+from torquerig.inference.unsteady import Change, changes
 
 Floats = NDArray[np.float64]
 
 LEVEL_OF_TEST = 0.01  # p-value below which a model does not explain the data
+_CHANGE = "change"
 _KINDS = {LINE: "lines", BAND: "bands", LEVEL: "levels"}
 
 
@@ -34,7 +38,7 @@ class Excess:
     Parameters
     ----------
     statistic : str
-        ``largest`` or ``sum``, with the kind.
+        ``largest`` or ``sum``, with the kind; ``change`` of a line or a band within a run at one speed.
     p_value : float
         For all tests together [1].
     run, kind, row : int
@@ -49,6 +53,11 @@ class Excess:
     kind: int
     row: int
     size: float
+
+    @property
+    def changes(self) -> bool:
+        """Whether it is a change within runs."""
+        return self.statistic.startswith(_CHANGE)
 
 
 @dataclass(frozen=True)
@@ -95,14 +104,17 @@ def excesses_of(
     fitted = zip(data.seen, all_residuals(data, fit.expected, fit.gains, fit.off), strict=True)
     others = zip(held.seen, held_residuals(fit, held), strict=True)
     runs = tuple(judged_run(seen, each) for seen, each in (*fitted, *others))
-    return excesses(runs, relevance), runs
+    models = (*fit.expected, *(expected_run(fit.fitted_rig, seen) for seen in held.seen))
+    changed = changes([(each.seen, model) for each, model in zip(runs, models, strict=True)])
+    return excesses(runs, relevance, changed=changed), runs
 
 
-def excesses(runs: Sequence[JudgedRun], relevance: float) -> tuple[Excess, ...]:
-    """Return the statistics of tested runs."""
+def excesses(runs: Sequence[JudgedRun], relevance: float, *, changed: Sequence[Change] = ()) -> tuple[Excess, ...]:
+    """Return the statistics of tested runs; ``changed`` is what may change within them."""
     found = [each for kind in _KINDS for each in _of_kind(runs, kind, relevance)]
     if found:
         found.append(_sum_of(runs, tuple(_KINDS), relevance, min(found, key=lambda each: each.p_value)))
+        found += _changing(runs, changed, relevance)
     tests = max(len(found), 1)
     return tuple(sorted((replace(each, p_value=min(tests * each.p_value, 1.0)) for each in found),
                         key=lambda each: each.p_value))  # fmt: skip
@@ -129,6 +141,19 @@ def _of_kind(runs: Sequence[JudgedRun], kind: int, relevance: float) -> list[Exc
     return [first, _sum_of(runs, (kind,), relevance, first)]
 
 
+def _changing(runs: Sequence[JudgedRun], changed: Sequence[Change], relevance: float) -> Iterator[Excess]:
+    """Yield the line and the band that change least probably by random errors, of those whose change counts."""
+    for kind in (LINE, BAND):
+        own = [each for each in changed if each.kind == kind]
+        for each in own:
+            of_run = runs[each.run].residuals
+            rows = np.flatnonzero((of_run.kind == kind) & (of_run.at == each.row) & (of_run.segment == each.segment))
+            if rows.size and each.size > relevance:
+                p_value = -np.expm1(len(own) * np.log1p(-min(each.p_value, 1 - 1e-16)))
+                yield Excess(f"{_CHANGE} of {_KINDS[kind]}", float(p_value), each.run, kind, int(rows[0]), each.size)
+                break
+
+
 def _sum_of(runs: Sequence[JudgedRun], kinds: tuple[int, ...], relevance: float, largest: Excess) -> Excess:
     """Return the sum of the deviances of some kinds; it counts where their joint error exceeds the relevance.
 
@@ -138,7 +163,7 @@ def _sum_of(runs: Sequence[JudgedRun], kinds: tuple[int, ...], relevance: float,
     """
     from scipy.stats import norm
 
-    nu, (mean, variance) = DEGREES_OF_FREEDOM, _deviance_moments()
+    nu, (mean, variance) = DEGREES_OF_FREEDOM, deviance_moments()
     groups = [
         (nu + 1) * np.log1p(own**2 / nu) - mean
         for each in runs for kind in kinds for own in _by_segment(each.residuals, kind)
@@ -194,12 +219,3 @@ def _sizes(seen: RunFeatures, each: Residuals) -> tuple[Floats, Floats, Floats]:
     size[level] = seen.largest_level * np.abs(each.value[level])
     square[level], permitted[level] = size[level] ** 2, (seen.largest_level * each.sd[level]) ** 2
     return size, square, permitted
-
-
-def _deviance_moments() -> tuple[float, float]:
-    """Return mean and variance of the deviance of one residual."""
-    from scipy.special import digamma, polygamma
-
-    nu = DEGREES_OF_FREEDOM
-    mean = (nu + 1) * float(digamma(0.5 * (nu + 1)) - digamma(0.5 * nu))
-    return mean, (nu + 1) ** 2 * float(polygamma(1, 0.5 * nu) - polygamma(1, 0.5 * (nu + 1)))

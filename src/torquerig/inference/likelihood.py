@@ -122,6 +122,13 @@ def weights(standardised: Floats) -> Floats:
     return np.asarray((nu + 1) / (nu + standardised**2))
 
 
+def deviance_moments() -> tuple[float, float]:
+    """Return mean and variance of the deviance ``(nu + 1) ln(1 + z^2 / nu)`` of one standardised residual [1]."""
+    nu = DEGREES_OF_FREEDOM
+    mean = (nu + 1) * float(digamma(0.5 * (nu + 1)) - digamma(0.5 * nu))
+    return mean, (nu + 1) ** 2 * float(polygamma(1, 0.5 * nu) - polygamma(1, 0.5 * (nu + 1)))
+
+
 def floor_density(seen: RunFeatures, model: ExpectedRun) -> Floats:
     """Return the density below each line [(N m)^2/Hz], shape (segments, places): measured, else the model's."""
     bands = seen.bands

@@ -47,16 +47,19 @@ def remaining(outcome: Outcome) -> list[dict[str, Any]]:
 
 
 def _largest(found: Sequence[Excess]) -> Iterator[Excess]:
-    """Yield the first of each kind of feature."""
-    kinds = set[int]()
+    """Yield the first of each kind of feature, and of those that change."""
+    kinds = set[tuple[int, bool]]()
     for each in found:
-        if each.kind not in kinds:
-            kinds.add(each.kind)
+        if (each.kind, each.changes) not in kinds:
+            kinds.add((each.kind, each.changes))
             yield each
 
 
 def _peaks(tested: Sequence[JudgedRun], first: Excess) -> Iterator[Excess]:
-    """Yield a residual, and the largest others of its kind at other places that are at least half as large."""
+    """Yield a residual, and the largest others of its kind at other places that are at least half as large.
+
+    Of what changes, only the first is known.
+    """
     rows = [
         (float(np.abs(run.residuals.standardised[row])), at, row)
         for at, run in enumerate(tested) for row in np.flatnonzero(run.residuals.kind == first.kind).tolist()
@@ -64,6 +67,8 @@ def _peaks(tested: Sequence[JudgedRun], first: Excess) -> Iterator[Excess]:
     largest = float(np.abs(tested[first.run].residuals.standardised[first.row]))
     shown = [_where(tested[first.run].seen, first.kind, int(tested[first.run].residuals.at[first.row]))]
     yield first
+    if first.changes:
+        return
     for size, at, row in sorted(rows, reverse=True):
         there = _where(tested[at].seen, first.kind, int(tested[at].residuals.at[row]))
         if size < _MUCH_SMALLER * largest or len(shown) == _MOST_PLACES:
