@@ -153,7 +153,7 @@ def _moving(rig: Rig, stage: ToothedStage, row: int, stated: Reading) -> _Lines 
 
     def lines_of(one: Rig) -> tuple[Floats, Floats]:
         turning = np.abs(seen.speed) / (2 * np.pi)
-        own = [each for each in rig_lines(Twin(one.at(seen.run.run)), seen) if each.follows]
+        own = [each for each in rig_lines(Twin(one.at(seen.run.run)), seen) if each.follows and each.beats]
         orders = [(each.frequency / turning).mean(axis=1) for each in own]
         return np.concatenate([np.zeros(0), *orders]), np.concatenate(
             [np.zeros(0), *(each.square.mean(axis=1) for each in own)]
