@@ -9,6 +9,7 @@ from torquerig.inference.addition import Addition
 from torquerig.inference.features.line_search import FoundLine
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.fit import Data
+from torquerig.inference.knobs import Knob
 from torquerig.inference.places import frequency, order
 from torquerig.inference.search import FITTED, competes, most_promising, wins
 from torquerig.inference.undecided_lines import column_of, in_both_domains
@@ -25,6 +26,23 @@ def test_a_line_is_in_both_domains_where_all_runs_have_one_speed(speeds):
     assert found[0] == LINE
     others = {line.place.domain: line.place.at for line in found[2:]}
     assert others == pytest.approx({"frequency": 50.0, "order": 0.42} if speeds == "one" else {})
+
+
+def test_a_tone_keeps_the_frequency_that_was_found():
+    seen = [run_features(drawn_run(1, speed=steady(1000), orders={3.0: 0.5}), [])]
+    found = in_both_domains([FoundLine(order(3.0), -60.0, -50.0, frequency(50.004))], seen)
+    assert [line.place for line in found] == [order(3.0), frequency(50.004)]
+    assert found[1].other_place == order(3.0)
+
+
+def test_numbers_leave_room_for_parts_that_promise_less():
+    numbers = [
+        Addition(kind="parameter", knobs=(Knob("shaft", name, 1.0),)) for name in ("stiffness", "damping", "inertia")
+    ]
+    low_pass, drag = (Addition(mechanism=name, parts=(name,)) for name in ("sensor_bandwidth", "quadratic_drag"))
+    data = Data.of([run_features(drawn_run(1, speed=steady(1000), orders={3.0: 0.5}), [])])
+    chosen = most_promising([*numbers, low_pass, drag], data)
+    assert [id(each) for each in chosen] == [id(each) for each in (*numbers[:2], low_pass, drag, numbers[2])]
 
 
 def test_additions_compete_for_a_line_in_whichever_domain_they_have_it():

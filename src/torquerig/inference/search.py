@@ -33,6 +33,7 @@ Progress = Callable[[str], None]
 
 MOST_ADDITIONS = 8
 FITTED = 5  # of the proposals of one round that are fitted together with the model
+_NUMBERS = 2  # of these that are numbers, where others wait: what is promised of a number is the most that it may gain
 LEAST_GAIN = 8.0  # [nats] of posterior odds by which an addition must win, 3000 to 1: the library is never complete
 LEAST_HELD_OUT = 3.0  # [nats] by which it must make the held-out data more likely
 LEAST_OTHER, LEAST_HELD_OUT_OTHER = 3.0, 1.0  # [nats] the same of an effect without a name; of a number only the first
@@ -160,7 +161,16 @@ def most_promising(ranked: Sequence[Addition], data: Data) -> list[Addition]:
     shares = [bool(each.places and different[0].places) and competes(different[0], each, data) for each in different]
     instead = [each for each, does in zip(different[1:], shares[1:], strict=True) if does][: FITTED - 2]
     others = [each for each in different[1:] if not any(each is one for one in instead)]
-    return [*different[:1], *instead, *others][:FITTED]
+    return _few_numbers([*different[:1], *instead, *others])[:FITTED]
+
+
+def _few_numbers(chosen: Sequence[Addition]) -> list[Addition]:
+    """Return additions with all numbers but the first ``_NUMBERS`` at the end.
+
+    The promise of a number is an upper bound, that of parts a value at their starts, which is less than the fit gives.
+    """
+    late = [each for each in chosen if not each.parts][_NUMBERS:]
+    return [*(each for each in chosen if not any(each is one for one in late)), *late]
 
 
 def _screened(context: Context, each: Addition) -> tuple[float, tuple[float, ...]]:

@@ -41,11 +41,14 @@ class FoundLine:
         Logarithm of the p-value of the whole search.
     other_domain : float
         The same at the best place of the other domain that could be this line; 0 where there is none.
+    other_place : Place or None
+        That place.
     """
 
     place: Place
     log_p: float
     other_domain: float
+    other_place: Place | None = None
 
 
 def search_lines(
@@ -88,12 +91,18 @@ def _new_lines(ratios: Sequence[NoiseRatios], found: Sequence[FoundLine]) -> lis
             continue
         if not _stands_out(each.place, ratios, tests):
             continue
-        elsewhere = [
-            other.log_p for other in candidates
-            if other.place.domain != each.place.domain and _same(each.place, other.place, ratios)
-        ]  # fmt: skip
-        accepted.append(FoundLine(each.place, each.log_p, min(elsewhere, default=0.0)))
+        accepted.append(FoundLine(each.place, each.log_p, *_elsewhere(each, candidates, ratios)))
     return accepted
+
+
+def _elsewhere(each: _Peak, candidates: Sequence[_Peak], ratios: Sequence[NoiseRatios]) -> tuple[float, Place | None]:
+    """Return the p-value and the place of the clearest peak of the other domain that could be the same line."""
+    same = [
+        other for other in candidates
+        if other.place.domain != each.place.domain and _same(each.place, other.place, ratios)
+    ]  # fmt: skip
+    best = min(same, key=lambda other: (other.log_p, -other.power), default=None)
+    return (0.0, None) if best is None else (best.log_p, best.place)
 
 
 @dataclass(frozen=True)
