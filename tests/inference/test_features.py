@@ -11,7 +11,7 @@ from tests.inference.drawn_runs import drawn_run, ramp, steady
 from torquerig.inference.features.bands import bands
 from torquerig.inference.features.line_search import search_lines
 from torquerig.inference.features.line_skirts import exceeds_surroundings
-from torquerig.inference.features.run_features import run_features
+from torquerig.inference.features.run_features import features_like, run_features
 from torquerig.inference.places import frequency, order
 
 NOISE, RATE = 0.1, 2000.0
@@ -128,6 +128,21 @@ def test_blocks_of_a_segment_show_the_same_lines():
     shown = [(segment.line_count[0], len(segment.blocks)) for segment in seen.segments]
     assert any(count == 0 for count, _ in shown)
     assert all(count in (0, blocks) for count, blocks in shown)
+
+
+def test_a_simulated_run_has_the_segments_of_the_one_that_it_repeats():
+    # reversed a little sooner, its blocks show other lines
+    turning = 150 * np.sin(4 * np.pi * np.arange(24000) / 24000)
+
+    def reversal(speed):
+        run = replace(drawn_run(9, speed=speed, orders={18.0: 0.3}, noise=NOISE), has_encoder=False)
+        return replace(run, recording=replace(run.recording, run=replace(run.recording.run, profile="reversal")))
+
+    seen = run_features(reversal(turning), [order(18.0), order(1.0)])
+    other = features_like(seen, reversal(np.roll(0.6 * turning, 800)))
+    assert [segment.blocks for segment in other.segments] == [
+        tuple(replace(block, held_out=False) for block in segment.blocks) for segment in seen.segments
+    ]
 
 
 def test_the_count_of_a_band_is_the_inverse_of_its_relative_variance():

@@ -201,14 +201,18 @@ def passed_by_levels(seen: RunFeatures, frequency: Floats) -> NDArray[np.complex
 def run_features(run: MeasuredRun, places: Sequence[Place], *, held_out: bool | None = False) -> RunFeatures:
     """Return the features of the fitted blocks, of the held-out ones (``held_out``), or of all (None)."""
     blocks = [block for block in run.blocks if held_out is None or block.held_out == held_out]
-    return _features(run, places, blocks, _groups(run, blocks, [not _stands_still(run, block) for block in blocks]))
+    found = [line_powers(run, block.samples, places) for block in blocks]
+    groups = _groups(run, blocks, [not _stands_still(run, block) for block in blocks])
+    return _features(run, places, blocks, found, [rows for group in groups for rows in apart_by_lines(group, found)])
 
 
 def features_like(seen: RunFeatures, run: MeasuredRun) -> RunFeatures:
     """Return the features of another run of the same length at the places, blocks and segments of ``seen``."""
     blocks = blocks_like(seen)
     row = {block.start: at for at, block in enumerate(blocks)}
-    return _features(run, seen.places, blocks, [[row[block.start] for block in one.blocks] for one in seen.segments])
+    found = [line_powers(run, block.samples, seen.places) for block in blocks]
+    same = [[row[block.start] for block in one.blocks] for one in seen.segments]
+    return _features(run, seen.places, blocks, found, same)
 
 
 def blocks_like(seen: RunFeatures) -> list[Block]:
@@ -218,19 +222,17 @@ def blocks_like(seen: RunFeatures) -> list[Block]:
 
 
 def _features(
-    run: MeasuredRun, places: Sequence[Place], blocks: Sequence[Block], groups: Sequence[Sequence[int]]
-) -> RunFeatures:
-    found = [line_powers(run, block.samples, places) for block in blocks]
-    alike = [rows for group in groups for rows in apart_by_lines(group, found)]
-    segments = tuple(_segment(run, places, [(blocks[row], found[row]) for row in rows]) for rows in alike)
+    run: MeasuredRun, places: Sequence[Place], blocks: Sequence[Block], found: Sequence[LinePowers],
+    groups: Sequence[Sequence[int]],
+) -> RunFeatures:  # fmt: skip
+    segments = tuple(_segment(run, places, [(blocks[row], found[row]) for row in rows]) for rows in groups)
     edges = [np.linspace(block.start, block.stop, _PARTS_OF_BLOCK + 1).astype(int) for block in blocks]
     pairs = [pair for each in edges for pair in pairwise(each.tolist())]
     rest = [lines.residual[low - block.start : high - block.start]
             for block, lines, each in zip(blocks, found, edges, strict=True)
             for low, high in pairwise(each.tolist())]  # fmt: skip
     level = np.array([float(values.mean()) for values in rest])
-    parts = np.array(pairs, dtype=np.int64)
-    parts = parts.reshape(-1, 2)
+    parts = np.array(pairs, dtype=np.int64).reshape(-1, 2)
     speed, acceleration = level_motion(run, parts)
     return RunFeatures(
         run=run, places=tuple(places), segments=segments, parts=parts, level=level, level_speed=speed,
