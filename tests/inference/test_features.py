@@ -9,6 +9,7 @@ import pytest
 
 from tests.inference.drawn_runs import drawn_run, ramp, steady
 from torquerig.inference.features.bands import bands
+from torquerig.inference.features.line_places import shown_places
 from torquerig.inference.features.line_search import search_lines
 from torquerig.inference.features.line_skirts import exceeds_surroundings
 from torquerig.inference.features.run_features import features_like, run_features
@@ -128,6 +129,12 @@ def test_blocks_of_a_segment_show_the_same_lines():
     shown = [(segment.line_count[0], len(segment.blocks)) for segment in seen.segments]
     assert any(count == 0 for count, _ in shown)
     assert all(count in (0, blocks) for count, blocks in shown)
+
+
+def test_a_tone_is_seen_up_to_half_the_sample_rate_but_for_a_hundredth():
+    speed = np.full(2000, 100.0)
+    places = [order(0.46 * RATE / (100.0 / (2 * np.pi))), frequency(0.46 * RATE), frequency(0.495 * RATE)]
+    assert shown_places(places, speed, RATE) == [1]
 
 
 def test_a_simulated_run_has_the_segments_of_the_one_that_it_repeats():

@@ -49,7 +49,9 @@ def test_what_is_steady_is_steady():
     assert min(p_values) > 1e-4
 
 
-@pytest.mark.parametrize("course", [lambda x: x > 0.5, lambda x: np.sin(20 * x) > 0, lambda x: x], ids=str)
+@pytest.mark.parametrize(
+    "course", [lambda x: x > 0.5, lambda x: np.sin(20 * x) > 0, lambda x: x], ids=["half", "on and off", "growing"]
+)
 def test_a_tone_that_comes_and_goes_changes(course):
     first = changes([seen_of(3, moved=lambda x: course(x) * tone(90.0, 0.5)(x))])[0]
     assert (first.kind, first.row) == (LINE, 1)

@@ -126,7 +126,8 @@ def written(tmp_path_factory):
 def test_page_and_json_say_the_same(written):
     _, data, page, output = written
     assert data["verdict"] == "missing_physics"
-    assert "mains interference, confidence 99 %" in page
+    stated = round(100 * data["findings"][0]["confidence"])
+    assert f"mains interference, confidence {stated} %" in page
     assert "The model lacks mains interference" in page
     assert page.count("data:image/svg+xml") == 3  # two runs, and the shares of the places
     assert "http://" not in re.sub(r"xmlns[^ >]*", "", page)

@@ -12,10 +12,8 @@ from math import exp, inf, log
 from torquerig.inference.addition import Addition
 from torquerig.inference.engine import Outcome
 
-COMPLETE = (
-    0.93  # probability that the cause is among the hypotheses: of names far ahead of all others so many are right
-)
-TEMPER = 16.0  # [nats] of evidence that count for one
+COMPLETE = 0.93  # probability that the cause is among the hypotheses; set by hand, few trials have been counted yet
+TEMPER = 16.0  # [nats] of evidence that count for one; set by hand
 LEAST = 0.6  # share of the mass below which a name is not printed (the contract's limit)
 ALIKE = log(20.0)  # [nats] of posterior odds: a hypothesis less far behind is not excluded (5 % against 95 %)
 

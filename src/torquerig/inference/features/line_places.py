@@ -16,6 +16,7 @@ FEWEST_PERIODS = 3.0  # of a line within a block: fewer cannot be separated from
 FEWEST_SWEPT = 5.0  # the same where the speed changes: the level then has a curve too
 _CHANGES = 0.01  # [1] of the speed within a block: less is no change
 HIGHEST = 0.45  # of the sample rate: higher up, filters against aliasing differ from converter to converter
+HIGHEST_TONE = 0.49  # of the sample rate: a tone is as large as it is read, whatever a filter leaves of it
 SEPARATE = 1.3  # [bins of a block] two lines under a Hann window that are nearer are one
 
 
@@ -36,7 +37,8 @@ def shown_places(places: Sequence[Place], speed: Floats, rate: float) -> list[in
     mean = line_frequencies(places, float(speed.mean()))[0]
     fastest = line_frequencies(places, float(np.abs(speed).max()))[0]
     swept = float(speed.max() - speed.min()) > _CHANGES * float(np.abs(speed).max())
-    permitted = (mean * duration >= (FEWEST_SWEPT if swept else FEWEST_PERIODS)) & (fastest < HIGHEST * rate)
+    highest = rate * np.array([HIGHEST if place.domain == "order" else HIGHEST_TONE for place in places])
+    permitted = (mean * duration >= (FEWEST_SWEPT if swept else FEWEST_PERIODS)) & (fastest < highest)
     shown: list[int] = []
     for index in np.flatnonzero(permitted).tolist():
         if not shown or np.abs(mean[shown] - mean[index]).min() * duration >= SEPARATE:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import gammaincc
 
-from torquerig.inference.features.line_places import HIGHEST, line_frequencies
+from torquerig.inference.features.line_places import HIGHEST, HIGHEST_TONE, line_frequencies
 from torquerig.inference.features.line_skirts import exceeds_surroundings
 from torquerig.inference.features.noise_ratios import NEAR, Density, NoiseRatios, measured_ratio, noise_ratios
 from torquerig.inference.measured_run import MeasuredRun
@@ -221,8 +221,7 @@ def _grid(ratios: Sequence[NoiseRatios], domain: str) -> Floats:
 
 
 def _highest(each: NoiseRatios, *, turning: bool) -> float:
-    top = HIGHEST * each.run.rate
-    return top * 2 * pi / max(each.speed, 1e-9) if turning else top
+    return HIGHEST * each.run.rate * 2 * pi / max(each.speed, 1e-9) if turning else HIGHEST_TONE * each.run.rate
 
 
 def _lowest(each: NoiseRatios, *, turning: bool) -> float:
