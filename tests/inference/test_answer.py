@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import exp, log
 from types import SimpleNamespace
 
@@ -25,7 +24,7 @@ from torquerig.inference.places import order
 from torquerig.inference.prediction.expected_run import ExpectedRun
 
 CHOSEN, SAME = Addition(mechanism="gear_mesh", label="72"), Addition(mechanism="gear_mesh", label="36")
-OTHER, NAMELESS = Addition(mechanism="commutation_ripple"), Addition(kind="line_family")
+OTHER, NAMELESS = Addition(mechanism="commutation_ripple"), Addition(kind="line_family", parts=(object(),))
 NUMBER = Addition(kind="parameter")
 
 
@@ -39,20 +38,18 @@ def test_a_name_far_ahead_of_all_others_is_as_sure_as_the_set_of_hypotheses_is_c
     assert sure.confidence(outcome_of((NAMELESS, 200.0)), CHOSEN) == pytest.approx(sure.COMPLETE, rel=1e-4)
 
 
-def test_evidence_counts_for_less_than_its_nats_and_prior_odds_count_in_full():
-    apart = 4 * sure.TEMPER
-    by_evidence = sure.confidence(outcome_of((OTHER, apart)), CHOSEN)
-    by_prior = sure.confidence(outcome_of((replace(OTHER, log_odds=-4.0), 4.0)), CHOSEN)
-    assert by_evidence == pytest.approx(by_prior) == pytest.approx(sure.COMPLETE / (1 + exp(-4.0)))
+def test_odds_count_for_less_than_their_nats():
+    apart = sure.confidence(outcome_of((OTHER, 4.0 * sure.TEMPER)), CHOSEN)
+    assert apart == pytest.approx(sure.COMPLETE / (1 + exp(-4.0)))
 
 
 def test_the_nearest_of_another_class_lowers_the_confidence():
-    outcome = outcome_of((SAME, 1.0), (OTHER, 5.0), (NAMELESS, 2.0))
-    assert sure.confidence(outcome, CHOSEN) == pytest.approx(sure.COMPLETE / (1 + exp(-2.0 / sure.TEMPER)))
+    outcome = outcome_of((SAME, 1.0), (OTHER, 9.0), (NAMELESS, 5.0))
+    assert sure.confidence(outcome, CHOSEN) == pytest.approx(sure.COMPLETE / (1 + exp(-5.0 / sure.TEMPER)))
     assert sure.equivalent_to(outcome, CHOSEN) == []
 
 
-def test_a_class_has_the_mechanisms_that_are_near():
+def test_a_class_has_what_is_near():
     outcome = outcome_of((OTHER, 0.1), (NAMELESS, 3.5))
     assert sure.equivalent_to(outcome, CHOSEN) == ["commutation_ripple"]
     assert sure.confidence(outcome, CHOSEN) == pytest.approx(sure.COMPLETE / (1 + exp(-3.5 / sure.TEMPER)))
@@ -60,15 +57,17 @@ def test_a_class_has_the_mechanisms_that_are_near():
 
 @pytest.mark.parametrize(("gap", "listed"), [(0.0, ["line_family"]), (2.9, ["line_family"]), (3.1, [])])
 def test_a_name_is_reported_with_the_nameless_line_that_ties_with_it(gap, listed):
-    nameless = Addition(kind="line_family", parts=(object(),))
-    outcome = outcome_of((nameless, gap))
+    outcome = outcome_of((NAMELESS, gap), (OTHER, 30.0))
     assert sure.equivalent_to(outcome, CHOSEN) == listed
     assert [each is CHOSEN for each in sure.named(outcome)] == [True]
+    outside = 30.0 if listed else gap
+    assert sure.confidence(outcome, CHOSEN) == pytest.approx(sure.COMPLETE / (1 + exp(-outside / sure.TEMPER)))
 
 
-@pytest.mark.parametrize(("mass", "is_named"), [(0.59, False), (0.61, True)])
-def test_below_six_tenths_nothing_is_named(mass, is_named):
-    outcome = outcome_of((NUMBER, -log(1 / mass - 1)))
+@pytest.mark.parametrize(("stated", "is_named"), [(0.59, False), (0.61, True)])
+def test_below_six_tenths_nothing_is_named(stated, is_named):
+    outcome = outcome_of((NUMBER, -sure.TEMPER * log(sure.COMPLETE / stated - 1)))
+    assert sure.confidence(outcome, CHOSEN) == pytest.approx(stated)
     assert [each is CHOSEN for each in sure.named(outcome)] == ([True] if is_named else [])
     assert [each is CHOSEN for each in sure.nameless(outcome)] == ([] if is_named else [True])
 

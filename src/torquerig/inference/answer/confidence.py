@@ -1,8 +1,7 @@
 """How sure an addition is, compared with what was fitted in its place.
 
-An addition won its round; every other hypothesis of that round is ``gap`` nats of posterior odds behind, and has the
-mass ``exp(-gap)`` relative to it. A class is a mechanism together with the mechanisms that these recordings cannot tell
-from it.
+An addition won its round; every other hypothesis of that round is some nats of posterior odds behind. A class is a
+mechanism together with what these recordings do not separate from it.
 """
 
 from __future__ import annotations
@@ -13,8 +12,8 @@ from torquerig.inference.addition import Addition
 from torquerig.inference.engine import Outcome
 
 COMPLETE = 0.93  # probability that the cause is among the hypotheses; set by hand, few trials have been counted yet
-TEMPER = 16.0  # [nats] of evidence that count for one; set by hand
-LEAST = 0.6  # share of the mass below which a name is not printed (the contract's limit)
+TEMPER = 4.0  # [nats] of posterior odds that count for one; set by hand
+LEAST = 0.6  # confidence below which a name is not printed (the contract's limit)
 ALIKE = log(20.0)  # [nats] of posterior odds: a hypothesis less far behind is not excluded (5 % against 95 %)
 
 
@@ -31,57 +30,38 @@ def mechanisms_alike(outcome: Outcome, each: Addition) -> list[str]:
 
 
 def equivalent_to(outcome: Outcome, each: Addition) -> list[str]:
-    """Return what the recordings do not exclude in the place of a mechanism: mechanisms, then kinds without a name.
-
-    A kind without a name does not belong to the class of the mechanism: it lowers the confidence. A name that ties with
-    it is reported all the same.
-    """
-    near = (other for other, gap in alternatives(outcome, each) if gap < ALIKE and other.parts and not other.is_named)
-    return [*mechanisms_alike(outcome, each), *sorted({other.kind for other in near})]
+    """Return what the recordings do not exclude in the place of a mechanism: mechanisms, then kinds without a name."""
+    near = {other.kind for other, gap in alternatives(outcome, each) if gap < ALIKE and _is_nameless(other)}
+    return [*mechanisms_alike(outcome, each), *sorted(near)]
 
 
 def confidence(outcome: Outcome, each: Addition) -> float:
     """Return how probable it is that an addition is of the right class [1].
 
-    With d the distance to the nearest hypothesis outside the class, of which the prior odds are P nats, it is
-    ``COMPLETE / (1 + exp(-(P + (d - P) / TEMPER)))``. Features share errors of the model that the likelihood takes for
-    independent ones: the evidence counts for less than its nats (coarsened posterior: Miller & Dunson 2019, J. Am.
-    Stat. Assoc. 114). And the cause may be none of the hypotheses.
+    With d nats of posterior odds to the nearest hypothesis outside the class it is ``COMPLETE / (1 + exp(-d /
+    TEMPER))``. Features share errors of the model that the likelihood takes for independent ones: odds count for less
+    than their nats (coarsened posterior: Miller & Dunson 2019, J. Am. Stat. Assoc. 114). And the cause may be none of
+    the hypotheses.
 
-    For a mechanism the class is its name with the mechanisms of ``equivalent_to``; for a nameless effect and for a
-    number of the rig it is all hypotheses of its kind.
+    For a mechanism the class is its name with all of ``equivalent_to``; for a nameless effect and for a number of the
+    rig it is all hypotheses of its kind.
     """
     names = {each.mechanism, *mechanisms_alike(outcome, each)}
     apart = [
-        _tempered(gap, each.log_odds - other.log_odds) for other, gap in alternatives(outcome, each)
-        if (other.mechanism not in names if each.is_named else _is_other_kind(each, other))
+        gap for other, gap in alternatives(outcome, each)
+        if not (other.mechanism in names or (gap < ALIKE and _is_nameless(other)) if each.is_named
+                else not other.is_named and other.kind == each.kind)
     ]  # fmt: skip
-    return COMPLETE / (1 + exp(-min(apart, default=inf)))
+    return COMPLETE / (1 + exp(-min(apart, default=inf) / TEMPER))
 
 
-def _tempered(gap: float, prior: float) -> float:
-    return prior + (gap - prior) / TEMPER
-
-
-def _is_other_kind(each: Addition, other: Addition) -> bool:
-    return other.is_named or other.kind != each.kind
-
-
-def share(outcome: Outcome, each: Addition) -> float:
-    """Return the share of the posterior mass that the class and what is near without a name have together [1]."""
-    total = listed = 1.0
-    names = {each.mechanism, *mechanisms_alike(outcome, each)}
-    for other, gap in alternatives(outcome, each):
-        near = gap < ALIKE and not other.is_named and bool(other.parts)
-        belongs = near or other.mechanism in names if each.is_named else not _is_other_kind(each, other)
-        total += exp(-gap)
-        listed += exp(-gap) if belongs else 0.0
-    return listed / total
+def _is_nameless(other: Addition) -> bool:
+    return bool(other.parts) and not other.is_named
 
 
 def named(outcome: Outcome) -> list[Addition]:
     """Return the additions that are sure enough to be named."""
-    return [each for each in outcome.model.additions if each.is_named and share(outcome, each) >= LEAST]
+    return [each for each in outcome.model.additions if each.is_named and confidence(outcome, each) >= LEAST]
 
 
 def nameless(outcome: Outcome) -> list[Addition]:
@@ -92,12 +72,12 @@ def nameless(outcome: Outcome) -> list[Addition]:
 
 def far_numbers(outcome: Outcome) -> list[Addition]:
     """Return the numbers of the scenario that are surely far from what is stated."""
-    return [each for each in _numbers(outcome) if share(outcome, each) >= LEAST]
+    return [each for each in _numbers(outcome) if confidence(outcome, each) >= LEAST]
 
 
 def unsure_numbers(outcome: Outcome) -> list[Addition]:
     """Return those that may be another effect instead."""
-    return [each for each in _numbers(outcome) if share(outcome, each) < LEAST]
+    return [each for each in _numbers(outcome) if confidence(outcome, each) < LEAST]
 
 
 def _numbers(outcome: Outcome) -> list[Addition]:
