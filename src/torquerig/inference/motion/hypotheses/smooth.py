@@ -49,9 +49,7 @@ def _families(fit: Fit) -> Iterator[Hypothesis]:
     yield one("over_position", "an effort that is a function of the position",
               lambda run: hats(run.position, places), left, axis="position")  # fmt: skip
     yield one("over_position_by_direction", "an effort that is a function of the position, by direction",
-              lambda run: np.hstack([
-                  hats(run.position, places) * way[:, None] for way in (run.speed > 0, run.speed <= 0)
-              ]), left, axis="position")  # fmt: skip
+              lambda run: _by_direction(run, places), left, axis="position")  # fmt: skip
     yield one("motion_response", "an effort that follows each small change of the motion (a loop, an inertia)",
               _responses, left)  # fmt: skip
     if speeds.size > 2:
@@ -60,6 +58,15 @@ def _families(fit: Fit) -> Iterator[Hypothesis]:
     yield one("slow_course", "an effort that changes slowly with time",
               lambda run: hats(run.time, np.linspace(0, run.time[-1], _OF_TIME)), left, local=True,
               axis="time")  # fmt: skip
+
+
+def _by_direction(run: ImposedRun, places: Floats) -> Floats:
+    """Return functions of the place, and those that turn with the direction, shape (samples, 2 places - 1).
+
+    The latter have no mean over the places: what turns with the direction and is the same at all places is friction.
+    """
+    at = hats(run.position, places)
+    return np.hstack([at, (at[:, 1:] - at[:, :-1]) * np.sign(run.speed)[:, None]])
 
 
 def _responses(run: ImposedRun) -> Floats:
