@@ -68,9 +68,9 @@ def test_the_unexplained_is_located_and_never_named() -> None:
         "Something is missing that no mechanism of the library explains. "
         "The largest remaining residual is at 281.12 Hz."
     )
-    beside = verdict_sentence(replace(BASE, verdict="unexplained"), (TONE,))
-    assert beside.startswith("The model lacks gear mesh. With it, the mean")
-    assert beside.endswith(
+    both = verdict_sentence(replace(BASE, verdict="unexplained"), (TONE,))
+    assert both.startswith("The model lacks gear mesh. With it, the mean")
+    assert both.endswith(
         "No mechanism of the library explains the rest. The largest remaining residual is at 281.12 Hz."
     )
 

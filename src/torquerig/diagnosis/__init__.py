@@ -13,7 +13,7 @@ beginning    the case that a search begins with, of the rig that fits where a ca
 diagnose     all of it in order
 motion/      rigs whose motion was measured, sample by sample       showing/  what a report shows
 
-Beside them: ``set_points`` (does a run turn as its sheet states), ``sheet_ratio`` (does a sheet state another gear
+Next to them: ``set_points`` (does a run turn as its sheet states), ``sheet_ratio`` (does a sheet state another gear
 ratio than the lines), ``sample_findings`` (faults of samples as effects),
 ``own_gap`` (one that a scenario states itself), ``free_names``, ``sentences``, ``null_table`` (least gains from
 clean rigs, by the scenario's content). Angles, places, regression, knobs and the linear twin are those of the second

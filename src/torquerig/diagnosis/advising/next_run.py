@@ -1,4 +1,4 @@
-"""Which next run would tell rivals apart: each is simulated in runs that were not done yet, and the runs compared."""
+"""Which next run would separate hypotheses: each is simulated in runs that were not done yet, and the runs compared."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ _AT_A_TIME = 2
 
 @dataclass(frozen=True)
 class Advice:
-    """A run, and the smallest distance between two rivals in it, in units of the features' spread [1]."""
+    """A run, and the smallest distance between two hypotheses in it, in units of the features' spread [1]."""
 
     candidate: CandidateRun
     distance: float
@@ -57,42 +57,42 @@ class Advice:
         return f"{self.candidate.words}. {self.because}"
 
 
-def next_run(case: Case, rivals: Sequence[Trial]) -> Advice | None:
-    """Return the run in which the two rivals that lie nearest lie furthest apart; None where no run would tell.
+def next_run(case: Case, trials: Sequence[Trial]) -> Advice | None:
+    """Return the run in which the two nearest hypotheses lie furthest apart; None where no run separates any.
 
     T-optimality over a menu of runs (Atkinson & Fedorov 1975, Biometrika 62(1)): the distance of two models is the
     root of the sum of squares of the differences of their expected features, each in units of its spread, that is left
     when one of them is fitted anew to what the other expects. Runs that all tell for certain count the same; of these
     the one of least effort is advised, and no dearer one is tried.
     """
-    if len(rivals) < 2:
+    if len(trials) < 2:
         return None
     menu, advised = candidate_runs(case.nominal, case.runs), list[Advice]()
     for few in (menu[at : at + _AT_A_TIME] for at in range(0, len(menu), _AT_A_TIME)):
-        advised += parallel_map(partial(_judged, case, rivals), few)
+        advised += parallel_map(partial(_judged, case, trials), few)
         if any(one.distance >= CERTAIN for one in advised):
             break
     best = max(advised, key=lambda one: min(one.distance, CERTAIN), default=None)
     return best if best is not None and best.distance > ENOUGH else None
 
 
-def _judged(case: Case, rivals: Sequence[Trial], candidate: CandidateRun) -> Advice:
-    """Judge a run, simulated with the first rival, by the pair of rivals that it separates least."""
-    places = _places(case, [trial.model.rig for trial in rivals], candidate.run)
+def _judged(case: Case, trials: Sequence[Trial], candidate: CandidateRun) -> Advice:
+    """Judge a run, simulated with the first hypothesis, by the pair that it separates least."""
+    places = _places(case, [trial.model.rig for trial in trials], candidate.run)
     try:
-        imagined = _imagined(rivals[0].model.rig, candidate.run, case.runs[0])
+        imagined = _imagined(trials[0].model.rig, candidate.run, case.runs[0])
     except SimulationError:  # the rival's fitted numbers do not run: this run would tell nothing
         return Advice(candidate, 0.0, "")
     seen = features(imagined, places, held=None)
-    models = _expectations(rivals, seen)
+    models = _expectations(trials, seen)
     misfits = [misfit(seen, model) for model in models]
-    slopes = [np.zeros((0, 0)), *(_slopes(trial.model, seen) for trial in rivals[1:])]
+    slopes = [np.zeros((0, 0)), *(_slopes(trial.model, seen) for trial in trials[1:])]
     nearest = Advice(candidate, float("inf"), "")
-    for one, other in combinations(range(len(rivals)), 2):
+    for one, other in combinations(range(len(trials)), 2):
         gap = misfits[other].all() - misfits[one].all()
-        distance = _left(gap, slopes[other], rivals[other].model.covariance)
+        distance = _left(gap, slopes[other], trials[other].model.covariance)
         if distance < nearest.distance:
-            names = rivals[one].candidate.mechanism, rivals[other].candidate.mechanism
+            names = trials[one].candidate.mechanism, trials[other].candidate.mechanism
             said = _because(names, seen, (models[one], models[other]), (misfits[one], misfits[other]))
             nearest = Advice(candidate, distance, f"{said} The difference is {distance:.0f} standard deviations.")
     return nearest
@@ -125,11 +125,11 @@ def _left(gap: Floats, slopes: Floats, covariance: Floats) -> float:
     return sqrt(max(float(gap @ gap) - closed, 0.0))
 
 
-def _expectations(rivals: Sequence[Trial], seen: Features) -> list[Expectation]:
+def _expectations(trials: Sequence[Trial], seen: Features) -> list[Expectation]:
     """By the linear twin; all by simulation where an effect is beyond it."""
-    if any(trial.model.corrections for trial in rivals):
-        return [expected_by_simulation(trial.model.rig, [seen], seeds=(_SEED + 1,))[0] for trial in rivals]
-    return [expected(trial.model.rig, seen) for trial in rivals]
+    if any(trial.model.corrections for trial in trials):
+        return [expected_by_simulation(trial.model.rig, [seen], seeds=(_SEED + 1,))[0] for trial in trials]
+    return [expected(trial.model.rig, seen) for trial in trials]
 
 
 def _imagined(rig: Rig, run: Run, like: Observed) -> Observed:

@@ -50,7 +50,7 @@ def shaft_angles(recordings: Sequence[Recording], rig: Rig, *, also: Sequence[fl
     ``also`` are orders of the motor that stand out beside those that the rig's kinematics know.
 
     Most drives have one error of scale: the factor by which the rig's speeds differ from their set-points is the median
-    over the steady runs whose angle was measured or followed, and a run has its own only where it is clearly another.
+    over the steady runs whose angle was measured or followed, and a run has another one only where it clearly differs.
     The slip of an induction motor is no such error: it depends on the load of each run. A ramp or reversal without an
     encoder, or a run whose lines do not stand out, turns as the nominal rig does when its set-point is scaled by that
     factor, or by the one along which its lines stand out; its ripple is left out, for nobody knows at which phase it
