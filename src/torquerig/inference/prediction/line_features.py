@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from math import pi
 from typing import NamedTuple
 
@@ -159,11 +160,55 @@ def _per_power(seen: RunFeatures, frequency: Floats, swept: Floats) -> Floats:
     A Hann window widens a line by its noise bandwidth and leaves side lobes that fall with the sixth power of the
     distance.
     """
-    low, high = seen.bands.low, seen.bands.high
-    step = 1 / seen.durations[:, None, None]
+    low, high, step = seen.bands.low, seen.bands.high, 1 / seen.durations
     slow, fast = ((frequency * swept[:, column]).T[..., None] for column in (0, 1))
-    near, far = slow - 0.5 * _WINDOW * step, fast + 0.5 * _WINDOW * step
-    inside = np.clip(np.minimum(far, high) - np.maximum(near, low), 0.0, None) / (high - low)
+    inside = np.zeros((*slow.shape[:2], low.size))
+    for row, width in enumerate((_WINDOW * step).tolist()):
+        cuts, free = seen.kept.get("free of lines", row, partial(free_of_lines, seen, row))
+        share = np.diff(swept_below(cuts, slow=slow[row], fast=fast[row], width=np.array(width)), axis=1)
+        inside[row] = share @ free
+    step = step[:, None, None]
     bins = np.maximum(np.maximum(low - fast, slow - high) / step, _FIRST_LOBE)
     lobes = np.where(bins > _FIRST_LOBE, _LOBE * (_FIRST_LOBE / bins) ** 6, 0.0)
-    return np.asarray(np.maximum(inside, lobes) / (far - near))
+    return np.asarray(np.maximum(inside, lobes / (fast - slow + _WINDOW * step)))
+
+
+def free_of_lines(seen: RunFeatures, segment: int) -> tuple[Floats, Floats]:
+    """Return frequencies [Hz] that cut the bands where lines with a place begin and end in a segment, and what counts.
+
+    The bins of such lines are in no density. The second array, shape (cuts - 1, bands), is the inverse of the width
+    [1/Hz] that is left of a band for the parts in it that are left, and 0 for the others.
+    """
+    edges = np.append(seen.bands.low, seen.bands.high[-1:])
+    shown = seen.lines.count[segment] > 0
+    follows = np.array([place.domain == "order" for place in seen.places], dtype=bool)[shown]
+    at, reach = seen.line_frequency[segment, shown], seen.line_excluded[segment, shown]
+    begin, end = (at * np.where(follows, seen.swept[segment, column], 1.0) for column in (0, 1))
+    begin, end = begin - reach, end + reach
+    cuts = np.unique(np.clip(np.concatenate([edges, begin, end]), edges[0], edges[-1]))
+    middle, length = 0.5 * (cuts[1:] + cuts[:-1]), np.diff(cuts)
+    left = ~((middle[:, None] > begin) & (middle[:, None] < end)).any(axis=1)
+    band = np.searchsorted(edges, middle) - 1
+    none = np.bincount(band, weights=length * left, minlength=edges.size - 1) < 1e-9 * np.diff(edges)
+    left = left | none[band]
+    width = np.bincount(band, weights=length * left, minlength=edges.size - 1)
+    return cuts, np.where((band[:, None] == np.arange(edges.size - 1)) & left[:, None], 1 / width, 0.0)
+
+
+def swept_below(frequency: Floats, *, slow: Floats, fast: Floats, width: Floats) -> Floats:
+    """Return the share of a line's power below a frequency [1], of the broadcast shape, under a Hann window.
+
+    The line sweeps evenly from ``slow`` to ``fast`` [Hz] in a block. What it shows at the share u of its way has the
+    weight of the squared window, ``8/3 sin(pi u)^4``: at the ends of a sweep there is hardly anything. The window
+    widens each moment to ``width`` [Hz], taken as even. Source: stationary phase (Papoulis 1977, Signal Analysis, 8-2).
+    """
+    reach = np.maximum(fast - slow, 1e-6 * width)
+    upper, lower = (_summed_share((frequency + way * width - slow) / reach) for way in (0.5, -0.5))
+    return np.asarray((upper - lower) * reach / width)
+
+
+def _summed_share(way: Floats) -> Floats:
+    """Return the integral over u of the integral of ``8/3 sin(pi u)^4`` from 0 on, u up to ``way``."""
+    u = np.clip(way, 0.0, 1.0)
+    inside = 0.5 * u**2 + (np.cos(2 * pi * u) - 1) / (3 * pi**2) - (np.cos(4 * pi * u) - 1) / (48 * pi**2)
+    return np.asarray(inside + np.maximum(way - 1, 0.0))
