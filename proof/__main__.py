@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 import click
 
 from torquerig.cli import run
-from torquerig.errors import InputError
 
 if TYPE_CHECKING:
     from proof.prove.jobs import Progress
@@ -29,20 +28,16 @@ if TYPE_CHECKING:
 )
 @click.option("--riddle", is_flag=True, help="Add twelve rigs with a 280 Hz line: mesh, comb or resonance.")
 @click.option("--oracle-cases", type=click.IntRange(0), default=None, metavar="N",
-              help="Run the oracle and the clean-rig gains for the first N rigs of each seed; default: all. "
+              help="Run the oracle for the first N rigs of each seed; default: all. "
               "0 saves two thirds of the time.")  # fmt: skip
 @click.option(
     "--duration", type=click.FloatRange(2.0), default=12.0, show_default=True, help="Length of each recording [s]."
 )
-@click.option("--engine", type=click.Choice(["rules", "likelihood"]), default="rules", show_default=True,
-              help="How the diagnosis compares hypotheses.")  # fmt: skip
 @click.option("--practice", type=click.Path(path_type=Path), default=None, metavar="FOLDER",
               help="Folder of practice rigs with answers.yaml.")  # fmt: skip
-@click.option("--real", type=click.Path(path_type=Path), default=None, metavar="FOLDER",
-              help="Folder of real recordings, one subfolder per source.")  # fmt: skip
 def command(
     *, seeds: Sequence[int], cases: int, out: Path, workers: int, same_laws: bool, riddle: bool,
-    oracle_cases: int | None, duration: float, engine: str, practice: Path | None, real: Path | None,
+    oracle_cases: int | None, duration: float, practice: Path | None,
 ) -> None:  # fmt: skip
     """Record blind trials, seal the answers, diagnose the recordings, open the answers and write the scores.
 
@@ -51,10 +46,7 @@ def command(
 
     `python -m proof fleet` does the same for drawn rigs of many designs; see its --help.
     """
-    if real is not None and not real.is_dir():
-        raise InputError(f"{real}: there is no such folder; --real needs a folder with one subfolder per real rig")
     from proof.page.proof_page import write_pages
-    from proof.page.real import real_chapters
     from proof.prove.campaign import prove
     from proof.prove.plan import Plan
     from proof.scoring.lines import lines_of
@@ -62,7 +54,7 @@ def command(
 
     plan = Plan(
         seeds=tuple(dict.fromkeys(seeds)), cases=cases, out=out, workers=workers, same_laws=same_laws, riddle=riddle,
-        oracle_cases=oracle_cases, duration=duration, engine=engine, practice=practice, real=real,
+        oracle_cases=oracle_cases, duration=duration, practice=practice,
     )  # fmt: skip
     with ExitStack() as shown:
 
@@ -71,7 +63,7 @@ def command(
             return shown.enter_context(drive_progress(name))
 
         proved = prove(plan, report=click.echo, stage=stage)
-    written = write_pages(proved, more=real_chapters(plan.real))
+    written = write_pages(proved)
     click.echo("\n".join(lines_of(written.summary)))
     click.echo(f"wrote {written.html} and {written.markdown}", err=True)
 

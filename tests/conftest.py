@@ -20,7 +20,7 @@ os.environ["TORQUERIG_CACHE"] = "none"
 COMPILING, UNCOMPILED = "simulation/test_two_masses", "recordings/files/"
 # each takes a worker for half a minute or more, so none of them may begin last
 HEAVY = (
-    "diagnosis/whole/", "diagnosis/advising/test_next_run", "simulation/test_batch", "examples/", "cli/", "study/",
+    "simulation/test_batch", "examples/", "cli/", "study/",
     "scenario/test_rigs_of_other_designs", "test_public_face",
 )  # fmt: skip
 

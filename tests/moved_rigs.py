@@ -1,4 +1,4 @@
-"""Moved rigs of the tests' own: a carriage by its own equations, a motor that is turned, and their diagnosis."""
+"""Moved rigs of the tests' own: a carriage by its own equations, and a motor that is turned."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.catalog.reading import Catalog
-from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome, diagnose_motion
 from torquerig.document import parse_document
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.scenario.model import Scenario
@@ -53,7 +52,3 @@ def recorded(extra: Extra, *, name: str = "run.csv") -> Recording:
         "position_m": Channel(values=np.asarray(position), quantity="position", unit="m"),
     }
     return Recording(sample_rate=RATE, channels=channels, name=name)
-
-
-def diagnosed(recording: Recording, text: str = CARRIAGE) -> MotionOutcome:
-    return diagnose_motion(scenario(text), [recording])

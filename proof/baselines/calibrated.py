@@ -1,4 +1,4 @@
-"""The calibrated nominal model from which every baseline starts, by either engine of the diagnosis."""
+"""The calibrated nominal model from which every baseline starts."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class Calibrated:
     nominal, rig : Rig
         As stated, and with fitted parameters.
     diagnosis : dict
-        Of the engine that fitted them, in the contract's form.
+        Of the diagnosis that fitted them, in the contract's form.
     """
 
     runs: tuple[CalibratedRun, ...]

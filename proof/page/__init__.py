@@ -5,11 +5,9 @@
 - ``trial_sets``   seeds, seals, and kinds of cases
 - ``strata``       scores by hidden effects, size, mechanism and runs; parameters; the simulator's laws
 - ``confidence``   calibration of the confidence, improvement on held-out data
-- ``null``         gains on rigs without hidden effects, and the thresholds from them
 - ``cost``         time and memory of a diagnosis
 - ``riddle``       the twelve rigs with a 280 Hz line
 - ``practice``     practice recordings
-- ``real``         real recordings
 - ``failures``     every wrong case
 - ``cells``        shares, scores and names as cells
 """

@@ -59,7 +59,7 @@ def improvement(ours: Summary, trials: Sequence[Trial]) -> Chapter:
             f"{percent(ours.improvement)}."
         ),
         (
-            "The oracle knows the true mechanisms and fits them with the code of the diagnosis, without thresholds. "
+            "The oracle knows the true mechanisms and fits them with the code of the diagnosis. "
             f"The diagnosis reaches {percent(ours.of_oracle)} of the oracle's reduction (median of {ours.oracles} "
             "rigs, including rigs without findings; required: 90 % or more)."
         ),

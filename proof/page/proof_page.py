@@ -4,30 +4,22 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
-
-import yaml
 
 from proof.page.cells import percent
 from proof.page.confidence import calibration, improvement, reliability_picture
 from proof.page.cost import cost
 from proof.page.failures import failures
 from proof.page.headline import baselines_compared, headline
-from proof.page.null import null, null_picture
 from proof.page.page_file import ProofPage, write_proof
 from proof.page.practice import practice
 from proof.page.riddle import riddle
 from proof.page.strata import laws_compared, parameters, strata
 from proof.page.trial_sets import trial_sets
 from proof.prove.campaign import ProofResults
-from proof.prove.diagnosing import nominal_scenario
 from proof.prove.scored import OURS, ScoredSet
 from proof.prove.trial_set import riddle_set
 from proof.scoring.summary import Summary, summarise
 from proof.scoring.trial import Trial
-from proof.thresholds import Threshold, as_table, thresholds
-from torquerig.diagnosis.judging.share_explained import LEAST_SHARE
-from torquerig.diagnosis.null_table import content_key, null_table
 from torquerig.reporting.matrix.chapters import Chapter
 
 TITLE = "Blind trials of the diagnosis"
@@ -43,28 +35,21 @@ class WrittenPages:
 
 
 def write_pages(proved: ProofResults, *, more: tuple[Chapter, ...] = ()) -> WrittenPages:
-    """Write proof.html, proof.md and null_table.yaml into the folder of results."""
+    """Write proof.html and proof.md into the folder of results."""
     summaries = summaries_of(proved.blind)
-    found = thresholds(_null(proved.blind), least_share=LEAST_SHARE)
-    page = proof_page(proved, summaries, found, more=more)
+    page = proof_page(proved, summaries, more=more)
     paths = [proved.plan.out / f"proof.{ending}" for ending in ("html", "md")]
     for path in paths:
         write_proof(page, path)
-    if _null(proved.blind):
-        text = yaml.safe_dump({"tables": [null_entry(proved, found)]}, sort_keys=False)
-        (proved.plan.out / "null_table.yaml").write_text(text, encoding="utf-8")
     return WrittenPages(html=paths[0], markdown=paths[1], summary=summaries[OURS])
 
 
-def proof_page(
-    proved: ProofResults, summaries: dict[str, Summary], found: tuple[Threshold, ...], *, more: tuple[Chapter, ...] = ()
-) -> ProofPage:
+def proof_page(proved: ProofResults, summaries: dict[str, Summary], *, more: tuple[Chapter, ...] = ()) -> ProofPage:
     """Return the page; ``more`` chapters come before the failures."""
     ours, trials = summaries[OURS], trials_of(proved.blind, OURS)
     chapters = [headline(ours)]
     chapters += [baselines_compared(summaries)] if len(summaries) > 1 else []
     chapters += [trial_sets(proved), strata(ours), parameters(ours), improvement(ours, trials), calibration(ours)]
-    chapters += [null(_null(proved.blind), found)] if proved.plan.oracle_cases != 0 else []
     if proved.same_laws:
         chapters.append(laws_compared(ours, summarise(list(trials_of(proved.same_laws, OURS)))))
     if proved.riddle:
@@ -76,8 +61,6 @@ def proof_page(
     chapters += [*more, cost(costs, workers=proved.plan.workers, duration=proved.plan.duration)]
     chapters.append(failures(trials, refusals))
     pictures = {"calibration": reliability_picture(ours)}
-    if proved.plan.oracle_cases != 0:
-        pictures["null"] = null_picture(_null(proved.blind), found)
     return ProofPage(
         title=TITLE, lead=lead(proved, ours), chapters=tuple(chapters), pictures=pictures, command=proved.plan.command
     )
@@ -94,16 +77,7 @@ def lead(proved: ProofResults, ours: Summary) -> tuple[str, ...]:
         f"{ours.false_names.hits} trials have a false name; {ours.false_on_blank.hits} of them are among the "
         f"{ours.false_on_blank.trials} rigs without hidden effects."
     )
-    return (first, second, *_used_for_thresholds(proved))
-
-
-def null_entry(proved: ProofResults, found: tuple[Threshold, ...]) -> dict[str, Any]:
-    """Return the entry of ``null_tables.yaml`` from these clean rigs."""
-    scenario = nominal_scenario()
-    return as_table(
-        found, key=content_key(scenario), title=scenario.title, command=proved.plan.command, seeds=proved.plan.seeds,
-        clean_rigs=len(_null(proved.blind)),
-    )  # fmt: skip
+    return (first, second)
 
 
 def summaries_of(sets: tuple[ScoredSet, ...]) -> dict[str, Summary]:
@@ -114,19 +88,6 @@ def summaries_of(sets: tuple[ScoredSet, ...]) -> dict[str, Summary]:
 def trials_of(sets: tuple[ScoredSet, ...], method: str) -> tuple[Trial, ...]:
     """Return the trials of one method over all sets."""
     return tuple(trial for one in sets for trial in one.trials[method])
-
-
-def _null(sets: tuple[ScoredSet, ...]) -> list[Any]:
-    return [gains for one in sets for gains in one.null.values()]
-
-
-def _used_for_thresholds(proved: ProofResults) -> tuple[str, ...]:
-    table = null_table(nominal_scenario())
-    both = () if table is None else sorted(set(table.seeds).intersection(proved.plan.seeds))
-    if not both:
-        return ()
-    listed = ", ".join(map(str, both))
-    return (f"Do not quote these scores: the shipped thresholds were derived from the same seeds ({listed}).",)
 
 
 def _wanders(proved: ProofResults) -> dict[str, bool]:

@@ -64,17 +64,13 @@ def prove(plan: Plan, *, report: Report, stage: Stage) -> ProofResults:
     names = baseline_names()
     _diagnose_all(
         plan,
-        [*_jobs(blind, names, engine=plan.engine), *_jobs([*same, *riddles], (), engine=plan.engine), *practice],
+        [*_jobs(blind, names), *_jobs([*same, *riddles], ()), *practice],
         stage,
     )
     answers = {trials.name: unseal(trials.folder) for trials in sets}
-    later = [
-        job
-        for trials in blind
-        for job in opened_jobs(answers[trials.name], trials.folder, plan.oracle_cases, engine=plan.engine)
-    ]
+    later = [job for trials in blind for job in opened_jobs(answers[trials.name], trials.folder, plan.oracle_cases)]
     if later:
-        run_jobs(opened, later, workers=plan.workers, progress=stage("oracle and clean gains"))
+        run_jobs(opened, later, workers=plan.workers, progress=stage("oracle"))
 
     def judged(some: Sequence[TrialSet], baselines: Sequence[str]) -> tuple[ScoredSet, ...]:
         return tuple(
@@ -92,17 +88,17 @@ def baseline_names() -> tuple[str, ...]:
     return tuple(BASELINES)
 
 
-def _jobs(sets: Iterable[TrialSet], baselines: Sequence[str], *, engine: str) -> Iterable[DiagnosisJob]:
+def _jobs(sets: Iterable[TrialSet], baselines: Sequence[str]) -> Iterable[DiagnosisJob]:
     for trials in sets:
         for case in trials.cases:
             where = recordings_of(trials.folder, case.name)
-            yield job_of(case.name, where, trials.folder, baselines=baselines, engine=engine)
+            yield job_of(case.name, where, trials.folder, baselines=baselines)
 
 
 def _practice_jobs(plan: Plan) -> Iterable[DiagnosisJob]:
     if plan.practice is not None:
         for name, where in practice_cases(plan.practice).items():
-            yield job_of(name, where, _practice_folder(plan), engine=plan.engine)
+            yield job_of(name, where, _practice_folder(plan))
 
 
 def _diagnose_all(plan: Plan, jobs: Sequence[DiagnosisJob], stage: Stage) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -15,6 +15,8 @@ from proof.prove.trial_set import BASELINE_VERDICTS, COSTS, DIAGNOSES, REFUSED
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
+from torquerig.inference.answer import as_json
+from torquerig.inference.engine import diagnose
 from torquerig.recordings.files import read_recording
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.model import Scenario
@@ -26,21 +28,18 @@ SCENARIO = "wear_rig.yaml"
 
 @dataclass(frozen=True, kw_only=True)
 class DiagnosisJob:
-    """Recordings of one rig, the folder of its diagnosis, the names of the baselines to run, and the engine."""
+    """Recordings of one rig, the folder of its diagnosis, and the names of the baselines to run."""
 
     name: str
     recordings: tuple[Path, ...]
     folder: Path
     baselines: tuple[str, ...] = ()
-    engine: str = "rules"
 
 
-def job_of(
-    name: str, recordings: Path, folder: Path, *, baselines: Sequence[str] = (), engine: str = "rules"
-) -> DiagnosisJob:
+def job_of(name: str, recordings: Path, folder: Path, *, baselines: Sequence[str] = ()) -> DiagnosisJob:
     """Return the job for all tables of a folder of recordings."""
     tables = tuple(sorted(recordings.glob("*.parquet")))
-    return DiagnosisJob(name=name, recordings=tables, folder=folder, baselines=tuple(baselines), engine=engine)
+    return DiagnosisJob(name=name, recordings=tables, folder=folder, baselines=tuple(baselines))
 
 
 def is_diagnosed(job: DiagnosisJob) -> bool:
@@ -58,43 +57,20 @@ def diagnosed(job: DiagnosisJob) -> str:
     """
     try:
         started, worked = time.perf_counter(), time.process_time()
-        found, start = _ENGINES[job.engine](nominal_scenario(), read_all(job.recordings))
+        outcome = diagnose(nominal_scenario(), read_all(job.recordings))
+        found = as_json(outcome)
         cost = {
             "seconds": round(time.perf_counter() - started, 2),
             "processor_seconds": round(time.process_time() - worked, 2),
             "peak_MiB": round(_peak(), 1),
         }
-        for name, said in baseline_verdicts(start, job.baselines).items():
+        for name, said in baseline_verdicts(by_likelihood(outcome, found), job.baselines).items():
             write_json(job.folder / BASELINE_VERDICTS / name / f"{job.name}.json", said)
         write_json(job.folder / COSTS / f"{job.name}.json", cost)
         write_json(job.folder / DIAGNOSES / f"{job.name}.json", found)
     except Exception as wrong:
         refuse(job.folder, DIAGNOSES, job.name, wrong)
     return job.name
-
-
-def _by_rules(scenario: Scenario, recordings: Sequence[Recording]) -> tuple[dict[str, Any], Calibrated]:
-    from proof.baselines.by_rules import by_rules
-    from torquerig.diagnosis.engine import diagnose
-    from torquerig.diagnosis.outcome import as_json
-
-    outcome = diagnose(scenario, recordings, seed=0)
-    found = as_json(outcome.diagnosis)
-    return found, by_rules(outcome, found)
-
-
-def _by_likelihood(scenario: Scenario, recordings: Sequence[Recording]) -> tuple[dict[str, Any], Calibrated]:
-    from torquerig.inference.answer import as_json
-    from torquerig.inference.engine import diagnose
-
-    outcome = diagnose(scenario, recordings)
-    found = as_json(outcome)
-    return found, by_likelihood(outcome, found)
-
-
-_ENGINES: Mapping[str, Callable[..., tuple[dict[str, Any], Calibrated]]] = {
-    "rules": _by_rules, "likelihood": _by_likelihood,
-}  # fmt: skip
 
 
 def baseline_verdicts(start: Calibrated, names: Sequence[str]) -> dict[str, dict[str, Any]]:

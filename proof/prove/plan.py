@@ -24,13 +24,11 @@ class Plan:
     riddle : bool
         Whether to add the twelve rigs with a 280 Hz line for each seed.
     oracle_cases : int or None
-        Number of rigs per seed with oracle or clean-rig gains, from the first on; None: all.
+        Number of rigs per seed with oracle, from the first on; None: all.
     duration : float
         Length of each recording [s].
-    engine : str
-        How the diagnosis compares hypotheses: ``rules`` or ``likelihood``.
-    practice, real : Path or None
-        Folders of recordings with known answers.
+    practice : Path or None
+        Folder of recordings with known answers.
     """
 
     seeds: tuple[int, ...]
@@ -41,9 +39,7 @@ class Plan:
     riddle: bool = False
     oracle_cases: int | None = None
     duration: float = 12.0
-    engine: str = "rules"
     practice: Path | None = None
-    real: Path | None = None
 
     @property
     def command(self) -> str:
@@ -51,7 +47,6 @@ class Plan:
         words = ["python -m proof", *(f"--seed {seed}" for seed in self.seeds), f"--cases {self.cases}"]
         words += ["--duration " + f"{self.duration:g}"] if self.duration != 12.0 else []
         words += [] if self.oracle_cases is None else [f"--oracle-cases {self.oracle_cases}"]
-        words += [] if self.engine == "rules" else [f"--engine {self.engine}"]
         flags = {"--same-laws": self.same_laws, "--riddle": self.riddle}
         words += [word for word, on in flags.items() if on]
         return " ".join(words)

@@ -8,9 +8,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from proof.null_gains import NullGain, from_rows
 from proof.prove.diagnosing import refusal_path
-from proof.prove.trial_set import BASELINE_VERDICTS, COSTS, DIAGNOSES, NULL, ORACLE, RECORDINGS
+from proof.prove.trial_set import BASELINE_VERDICTS, COSTS, DIAGNOSES, ORACLE, RECORDINGS
 from proof.scoring.claims import Claim, read_claim
 from proof.scoring.trial import Trial, trial_of
 
@@ -39,8 +38,6 @@ class ScoredSet:
     said : mapping of str to dict
         The written diagnosis of each case, by the trial's name.
     costs : tuple of Cost
-    null : mapping of str to tuple of NullGain
-        Gains on the rigs without hidden effects.
     refusals : mapping of str to str
         Error of each case without a diagnosis.
     """
@@ -50,7 +47,6 @@ class ScoredSet:
     trials: Mapping[str, tuple[Trial, ...]]
     said: Mapping[str, dict[str, Any]] = field(default_factory=dict)
     costs: tuple[Cost, ...] = ()
-    null: Mapping[str, tuple[NullGain, ...]] = field(default_factory=dict)
     refusals: Mapping[str, str] = field(default_factory=dict)
 
 
@@ -71,7 +67,6 @@ def scored(
         trials=trials,
         said={_full(name, one): data for one, data in _jsons(folder / DIAGNOSES, cases)},
         costs=tuple(Cost(case=_full(name, one), **data) for one, data in _jsons(folder / COSTS, cases)),
-        null={_full(name, one): from_rows(rows) for one, rows in _jsons(folder / NULL, cases)},
         refusals=_refusals(name, folder, cases),
     )
 

@@ -13,7 +13,7 @@ from proof.sealed import SEAL, seal, seal_of
 from proof.trials import draw_trials
 
 RECORDINGS, DIAGNOSES, BASELINE_VERDICTS = "recordings", "diagnoses", "baselines"
-ORACLE, NULL, COSTS, REFUSED = "oracle", "null", "costs", "refused"
+ORACLE, COSTS, REFUSED = "oracle", "costs", "refused"
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,4 +1,4 @@
-"""What a diagnosis says, read from its JSON in the form of the contract, with and without the second engine's keys."""
+"""What a diagnosis says, read from its JSON in the form of the contract."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class Claim:
     """The diagnosis of one case.
 
     ``before`` and ``after`` are the mean squared standardised residuals on held-out data; ``rms_before`` and
-    ``rms_after`` the rms errors in N m, None where the engine does not report them.
+    ``rms_after`` the rms errors in N m, None where the diagnosis does not report them.
     """
 
     verdict: str

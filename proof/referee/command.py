@@ -39,10 +39,14 @@ if TYPE_CHECKING:
 )
 @click.option("--make-only", is_flag=True, help="Record and seal, do not diagnose.")
 @click.option(
-    "--engine", "engine", multiple=True, metavar="OPTION", help="Further option of torquerig diagnose; can be repeated."
+    "--option",
+    "options",
+    multiple=True,
+    metavar="OPTION",
+    help="Further option of torquerig diagnose; can be repeated.",
 )
 @click.option("--label", default="", metavar="NAME",
-              help="Folder of the results within --out, so that several engines share the recordings.")  # fmt: skip
+              help="Folder of the results within --out, so that several versions share the recordings.")  # fmt: skip
 @click.option(
     "--real",
     type=click.Path(path_type=Path),
@@ -52,7 +56,7 @@ if TYPE_CHECKING:
 )
 def command(
     *, seed: int, chosen: Sequence[str], quick: bool, out: Path, workers: int, limit: float, make_only: bool,
-    engine: Sequence[str], label: str, real: Path | None,
+    options: Sequence[str], label: str, real: Path | None,
 ) -> None:  # fmt: skip
     """Draw rigs of the fleet, seal their answers, diagnose the recordings and count what is right."""
     from proof.referee.page import reason
@@ -62,7 +66,7 @@ def command(
     if real is not None and not real.is_dir():
         raise InputError(f"{real}: there is no such folder; --real needs a folder with one subfolder per bench")
     plan = Round(
-        selected(chosen, quick=quick), seed, out, workers=workers, limit=limit, engine=tuple(engine), label=label
+        selected(chosen, quick=quick), seed, out, workers=workers, limit=limit, options=tuple(options), label=label
     )
     with ExitStack() as shown:
 
@@ -83,5 +87,5 @@ def command(
     if real is not None:
         from proof.referee.real_benches import real_lines
 
-        click.echo("\n".join(real_lines(real, out, limit=limit, engine=tuple(engine), label=label)))
+        click.echo("\n".join(real_lines(real, out, limit=limit, options=tuple(options), label=label)))
     click.echo(f"wrote {files.html}, {files.markdown} and {files.csv}", err=True)

@@ -31,17 +31,17 @@ class DiagnoseJob:
         Mechanism whose file is removed, or empty.
     limit : float
         Time limit [s] on the clock.
-    engine : tuple of str
-        Further options of ``torquerig diagnose``, such as one that selects an engine.
+    options : tuple of str
+        Further options of ``torquerig diagnose``.
     label : str
-        Folder of the results within that of the round, so that several engines share the recordings.
+        Folder of the results within that of the round, so that several versions share the recordings.
     """
 
     name: str
     out: Path
     without: str = ""
     limit: float = 600.0
-    engine: tuple[str, ...] = ()
+    options: tuple[str, ...] = ()
     label: str = ""
 
     @property
@@ -65,7 +65,7 @@ def diagnosed(job: DiagnoseJob) -> str:
     answer.parent.mkdir(parents=True, exist_ok=True)
     partial = answer.with_suffix(".part.json")
     files = [*map(str, tables), "--scenario", str(folder / "scenario.yaml"), "--json", str(partial)]
-    words = [sys.executable, "-m", "torquerig", "diagnose", *files, "--workers", "1", *job.engine]
+    words = [sys.executable, "-m", "torquerig", "diagnose", *files, "--workers", "1", *job.options]
     source = reduced_checkout(job.out, job.without) if job.without else CHECKOUT
     started = time.perf_counter()
     code, said, worked = _called(words, {"PYTHONPATH": str(source / "src")}, limit=job.limit)

@@ -34,13 +34,13 @@ class Bench:
     known: str
 
 
-def real_lines(root: Path, out: Path, *, limit: float, engine: tuple[str, ...], label: str = "") -> Iterator[str]:
+def real_lines(root: Path, out: Path, *, limit: float, options: tuple[str, ...], label: str = "") -> Iterator[str]:
     """Diagnose every bench whose folder is there, and yield a line about each."""
     for bench in BENCHES:
         if not (root / bench.folder).is_dir():
             yield f"REAL {bench.name}: no folder {bench.folder}"
             continue
-        job = DiagnoseJob(f"real-{bench.name}", out, limit=limit, engine=engine, label=label)
+        job = DiagnoseJob(f"real-{bench.name}", out, limit=limit, options=options, label=label)
         if not is_diagnosed(job):
             _write(bench, root, out / RECORDINGS / job.name)
             diagnosed(job)

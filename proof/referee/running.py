@@ -39,10 +39,10 @@ class Round:
     workers : int
     limit : float
         Time limit of a diagnosis [s].
-    engine : tuple of str
+    options : tuple of str
         Further options of ``torquerig diagnose``.
     label : str
-        Folder of the results within ``out``; several engines share the recordings.
+        Folder of the results within ``out``; several versions share the recordings.
     """
 
     sets: dict[str, int]
@@ -50,7 +50,7 @@ class Round:
     out: Path
     workers: int = 1
     limit: float = 600.0
-    engine: tuple[str, ...] = ()
+    options: tuple[str, ...] = ()
     label: str = ""
 
     @property
@@ -68,7 +68,7 @@ class Round:
     def command(self) -> str:
         """Command that repeats the round, without folders of this machine."""
         label = [f"--label {self.label}"] if self.label else []
-        return " ".join([self.cases, *label, *(f"--engine={one}" for one in self.engine)])
+        return " ".join([self.cases, *label, *(f"--option={one}" for one in self.options)])
 
     def jobs(self) -> list[MakeJob]:
         """Return one job for every case, the sets in turn, so that what is done early is a sample of all."""
@@ -129,7 +129,7 @@ def make(plan: Round, *, stage: Stage) -> str:
 def diagnose_all(plan: Round, *, stage: Stage) -> None:
     """Diagnose what no earlier call has diagnosed."""
     jobs = [
-        DiagnoseJob(name, plan.out, answer["without"], plan.limit, plan.engine, plan.label)
+        DiagnoseJob(name, plan.out, answer["without"], plan.limit, plan.options, plan.label)
         for name, answer in answers_of(plan).items()
     ]
     missing = [job for job in jobs if not is_diagnosed(job)]

@@ -12,12 +12,13 @@ import pytest
 import torquerig
 from torquerig.catalog.motor import Motor
 from torquerig.catalog.reading import load_catalog, read_entry
-from torquerig.diagnosis.motion.diagnose_motion import diagnose_motion
-from torquerig.diagnosis.motion.moved import under_measured_motion
 from torquerig.document import read_document
+from torquerig.inference.motion.answer import as_json
+from torquerig.inference.motion.engine import diagnose_motion
 from torquerig.recordings.files import read_recording
 from torquerig.recordings.files.sidecar import read_sidecar
 from torquerig.reporting.diagnosis.run_check import run_check
+from torquerig.rig.imposed_part import imposed_part
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.input_channels import driven_parts
@@ -182,17 +183,18 @@ def test_table_of_howto_diagnose_measured_motion_lacks_its_dry_friction(tmp_path
     np.savetxt(tmp_path / "run1.csv", rows, delimiter=",", header="time_s,force_V,scale_count", comments="", fmt="%.8g")
     made = read_scenario(read_document(tmp_path / "table.yaml"), load_catalog(ROOT / "catalogs"), seed=0)
     outcome = diagnose_motion(made, [read_recording(tmp_path / "run1.csv")])
-    (finding,) = outcome.diagnosis.findings
-    assert (outcome.diagnosis.verdict, finding.mechanism) == ("missing_physics", "stribeck_friction")
-    assert finding.parameters["coulomb_Nm"].value == pytest.approx(20.0, rel=0.03)
-    assert (finding.parameters["coulomb_Nm"].unit, outcome.runs[0].channel.unit) == ("N", "V")
+    said = as_json(outcome)
+    (finding,) = said["findings"]
+    assert (said["verdict"], finding["mechanism"]) == ("missing_physics", "stribeck_friction")
+    assert finding["parameters"]["coulomb_Nm"]["value"] == pytest.approx(20.0, rel=0.03)
+    assert (finding["parameters"]["coulomb_Nm"]["unit"], outcome.runs[0].channel.unit) == ("N", "V")
 
 
 def test_joint_of_howto_diagnose_measured_motion_is_read(tmp_path: Path) -> None:
     file = tmp_path / "joint.yaml"
     file.write_text(example("howto-diagnose-measured-motion.md", "joint.yaml"), encoding="utf-8")
     made = read_scenario(read_document(file), load_catalog(ROOT / "catalogs"), seed=0)
-    assert under_measured_motion(made.rig)
+    assert imposed_part(made.rig) is not None
 
 
 @pytest.mark.long

@@ -1,4 +1,4 @@
-"""The second engine on simulated rigs: nothing where nothing is missing, and what was left out."""
+"""The diagnosis of simulated rigs: nothing where nothing is missing, and what was left out."""
 
 from __future__ import annotations
 

@@ -11,7 +11,6 @@ from proof.__main__ import main
         (("--seed", "1"), "--out"),
         (("--out", "x"), "--seed"),
         (("--seed", "1", "--out", "x", "--practice", "nowhere"), "nowhere"),
-        (("--seed", "1", "--out", "x", "--real", "nowhere"), "nowhere: there is no such folder"),
         (("--seed", "1", "--out", "x", "--practice", "empty"), "answers.yaml: not found"),
         (("--seed", "1", "--out", "x", "--duration", "1"), "--duration"),
         (("--seed", "1", "--out", "file"), "file"),

@@ -8,9 +8,7 @@ import pytest
 import yaml
 
 from proof.errors import ProofError
-from proof.null_gains import NullGain
 from proof.page.proof_page import write_pages
-from proof.page.real import real_chapters
 from proof.prove import campaign, diagnosing
 from proof.prove.campaign import ProofResults, prove
 from proof.prove.diagnosing import job_of, refusal_path, write_json
@@ -123,14 +121,10 @@ def test_oracle_and_gains_are_asked_for_where_they_are_due(tmp_path):
         "chirp": {"effects": [effect | {"mechanism": "linear_chirp", "in_library": False}]},
         "both": {"effects": [effect, effect | {"mechanism": "linear_chirp", "in_library": False}]},
     }
-    jobs = {job.name: (job.stage, job.true) for job in opened_jobs(answers, tmp_path)}
-    assert jobs == {
-        "clean": ("null", ()), "mesh": ("oracle", ("gear_mesh",)), "both": ("oracle", ("gear_mesh",))
-    }  # fmt: skip
+    jobs = {job.name: job.true for job in opened_jobs(answers, tmp_path)}
+    assert jobs == {"mesh": ("gear_mesh",), "both": ("gear_mesh",)}
     write_json(tmp_path / "oracle" / "mesh.json", {})
-    assert {job.name for job in opened_jobs(answers, tmp_path)} == {"clean", "both"}
-    by_likelihood = opened_jobs(answers, tmp_path, engine="likelihood")
-    assert {job.name for job in by_likelihood} == {"both"}, "the likelihood has no thresholds to derive"
+    assert {job.name for job in opened_jobs(answers, tmp_path)} == {"both"}
 
 
 @pytest.mark.long
@@ -268,19 +262,6 @@ def test_every_failure_is_on_the_page(proved):
     assert "no diagnosis" in text
 
 
-@pytest.mark.long
-def test_the_table_of_gains_is_keyed_and_says_its_command(proved):
-    write_pages(proved)
-    entry = yaml.safe_load((proved.plan.out / "null_table.yaml").read_text())["tables"][0]
-    clean = [t for t in proved.blind[0].trials[OURS] if t.due == "adequate"]
-    assert entry["clean_rigs"] == len(clean)
-    assert entry["made_by"].startswith("python -m proof --seed 7 --cases 12")
-    assert entry["seeds"] == [7]
-    assert entry["thresholds"] == {}  # too few rigs for a tail
-    assert len(entry["scenario"]) == 64
-    assert next(iter(proved.blind[0].null.values())) == (NullGain(mechanism="gear_mesh", gain=12.5, share=0.9),)
-
-
 def test_the_oracle_stands_beside_the_diagnosis_alone(proved):
     ours, theirs = (proved.blind[0].trials[name] for name in (OURS, "refit_only"))
     named = [t for t in ours if t.matches and t.matches[0].effect and t.improvement.of_oracle is not None]
@@ -296,16 +277,6 @@ def test_the_oracle_may_be_run_on_the_first_rigs_only(tmp_path):
     assert some == [name for name in every if name <= "case-005"]
     assert 0 < len(some) < len(every)
     assert list(opened_jobs(trials.answers, tmp_path, 0)) == []
-
-
-def test_real_recordings_that_are_not_there_are_said_to_be_missing(tmp_path, monkeypatch):
-    monkeypatch.setenv("TORQUERIG_REAL_DATA", "before")
-    pytest.importorskip("proof.real.figures")
-    assert real_chapters(None) == ()
-    (chapter,) = real_chapters(tmp_path)
-    rows = [" ".join(cell.text for cell in row) for row in chapter.tables[0].rows]
-    assert [row.split()[0] for row in rows] == ["emps", "laas", "brfd"]
-    assert all("there is no such file" in row for row in rows)
 
 
 def test_jsons_are_written_whole(tmp_path):

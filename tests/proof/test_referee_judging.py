@@ -1,4 +1,4 @@
-"""The referee's judgement of hand-written diagnoses, in the form of the first engine and of the second."""
+"""The referee's judgement of hand-written diagnoses."""
 
 import json
 
@@ -134,7 +134,7 @@ def test_a_set_up_fault_is_reported_by_its_kind_or_class():
     assert judged("a", truth, setup("teeth")).setup_reported
     assert judged("a", truth, setup("sensor_scale", equivalent_to=[{"kind": "gear_ratio"}])).setup_reported
     assert judged("a", truth, setup("sensor_scale")).setup_reported is False
-    assert judged("a", truth, said("unexplained")).setup_reported is False  # the first engine has no such key
+    assert judged("a", truth, said("unexplained")).setup_reported is False  # a diagnosis without that key
 
 
 def test_a_clean_rig_is_accused_by_a_verdict_or_a_name():

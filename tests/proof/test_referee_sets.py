@@ -7,7 +7,6 @@ import numpy as np
 import pyarrow.parquet as pq
 import pytest
 import yaml
-from click.testing import CliRunner
 
 from proof.__main__ import main
 from proof.errors import ProofError
@@ -22,8 +21,9 @@ from proof.referee.sets import SETS, drawn
 from proof.referee.setup_faults import FAULTS, fault_case
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder
-from torquerig.cli.diagnose import command as diagnose
 from torquerig.document import read_document
+from torquerig.recordings.files import read_recording
+from torquerig.reporting.diagnosis.run_check import run_check
 from torquerig.scenario.reading import read_scenario
 
 
@@ -56,11 +56,8 @@ def read(folder):
 
 
 def checked(folder):
-    said = CliRunner().invoke(
-        diagnose, [str(folder / "run1.parquet"), "--scenario", str(folder / "scenario.yaml"), "--check"]
-    )
-    assert said.exit_code == 0, said.output
-    return said.output
+    scenario = read_scenario(read_document(folder / "scenario.yaml"), load_catalog(shipped_folder()), seed=0)
+    return run_check(scenario, [read_recording(folder / "run1.parquet")]).text()
 
 
 @pytest.mark.parametrize("change", [name for name in CHANGES if name != "speed_x4"])
@@ -203,10 +200,10 @@ def test_a_diagnosis_that_is_refused_keeps_its_sentence(tmp_path):
     assert json.loads((tmp_path / "costs" / "broken.json").read_text())["exit"] == 2
 
 
-def test_engines_share_recordings_and_keep_their_results_apart(tmp_path):
+def test_versions_share_recordings_and_keep_their_results_apart(tmp_path):
     first, second = (
         Round({"CLEAN": 1}, 7004, tmp_path),
-        Round({"CLEAN": 1}, 7004, tmp_path, label="second", engine=("-x",)),
+        Round({"CLEAN": 1}, 7004, tmp_path, label="second", options=("-x",)),
     )
     assert make(first, stage=quiet) == make(second, stage=quiet)
     (name,) = [job.marker.read_text().strip() for job in second.jobs()]
@@ -215,7 +212,7 @@ def test_engines_share_recordings_and_keep_their_results_apart(tmp_path):
     (tmp_path / "second" / "diagnoses" / f"{name}.json").write_text(said)
     assert [one.exact for one in verdicts_of(second)] == [True]
     assert [one.exact for one in verdicts_of(first)] == [False]
-    assert second.command == "python -m proof fleet --seed 7004 --set CLEAN:1 --label second --engine=-x"
+    assert second.command == "python -m proof fleet --seed 7004 --set CLEAN:1 --label second --option=-x"
 
 
 def test_a_diagnosis_beyond_its_limit_is_stopped(tmp_path):

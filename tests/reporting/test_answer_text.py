@@ -25,11 +25,10 @@ def diagnosis(**more: Any) -> dict[str, Any]:
 
 
 def test_the_answer_says_what_how_large_how_sure_and_what_next() -> None:
-    lines = answer_lines(
-        diagnosis(), verdict="The model lacks gear mesh.", effect="It changes the reading by 0.08 N m."
-    )
+    rms = {"unit": "N*m", "before": 1.69, "after": 0.44}
+    lines = answer_lines(diagnosis(rms=rms), verdict="The model lacks gear mesh.")
     assert lines[0] == "The model lacks gear mesh."
-    assert lines[1] == "It changes the reading by 0.08 N m."
+    assert lines[1] == "Rms residual on held-out data: 1.69 N m before, 0.44 N m after."
     assert lines[2] == "- gear mesh, 97 % sure: amplitude_Nm 0.12 (0.11 to 0.13) N m"
     assert lines[3].startswith("Next: check the named part on the rig")
 
@@ -63,4 +62,4 @@ def test_a_long_answer_keeps_its_end_and_says_where_the_others_are() -> None:
     lines = answer_lines(diagnosis(findings=[finding()] * 30), verdict="x", remarks=["a remark"] * 5)
     assert len(lines) == MOST_LINES
     assert lines[-1].startswith("Next: ") or "--model" in lines[-1]
-    assert any("--report" in line for line in lines)
+    assert sum("--report" in line for line in lines) == 2, "of findings, and of remarks"

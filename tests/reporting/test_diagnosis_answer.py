@@ -1,7 +1,5 @@
 """The first screen of a diagnosis, from its JSON: each verdict, both engines."""
 
-from types import SimpleNamespace
-
 import pytest
 
 from torquerig.reporting.diagnosis.likelihood.first_screen import first_screen
@@ -10,9 +8,6 @@ from torquerig.reporting.diagnosis.sentences import fact_text
 
 FIT = {"before": {"heldout_misfit": 4.0, "nominal": 5.0}, "after": {"heldout_misfit": 0.9}}
 MESH = {"mechanism": "gear_mesh", "confidence": 0.97, "equivalent_to": [], "next_experiment": None, "parameters": {}}
-EFFECT = SimpleNamespace(
-    rms=0.123, unit="N*m", sentence="The findings change the reading by 0.123 N m rms (simulated)."
-)
 SCALE = {
     "kind": "sensor_scale", "of": "torque_sensor", "stated": 1.0, "confidence": 0.97, "equivalent_to": [],
     "estimated": {"value": 2.0, "ci95": [1.98, 2.02], "unit": "1"},
@@ -28,19 +23,18 @@ def words_of(answer):
 
 
 def test_what_is_missing_how_large_how_sure_and_what_next_in_this_order():
-    answer = diagnosis_answer(data("missing_physics", MESH), EFFECT, percent=False)
+    answer = diagnosis_answer(data("missing_physics", MESH), percent=False)
     assert answer.sentences == (
         "The model lacks gear mesh.",
-        "The findings change the reading by 0.123 N m rms (simulated).",
         "How sure: 97 % for gear mesh.",
         "Next: check the named part on the rig, and continue with the completed scenario.",
     )
-    assert [one.value for one in answer.figures] == ["0.123 N m", "97 %", "4 to 0.9"]
+    assert [one.value for one in answer.figures] == ["not computed", "97 %", "4 to 0.9"]
 
 
 @pytest.mark.parametrize("verdict", ["adequate", "unexplained"])
 def test_a_verdict_without_findings_says_what_to_do(verdict):
-    answer = diagnosis_answer(data(verdict), None, percent=True)
+    answer = diagnosis_answer(data(verdict), percent=True)
     assert answer.sentences[-1].startswith("Next: ")
     assert answer.figures[0].value == "none"
     assert answer.figures[2].value == "400 %"
@@ -49,7 +43,7 @@ def test_a_verdict_without_findings_says_what_to_do(verdict):
 
 def test_a_wrong_set_up_fact_and_a_residual_in_newton_metres_come_from_the_second_engine():
     rms = {"unit": "N*m", "before": 1.69, "after": 0.44}
-    answer = diagnosis_answer(data("setup_error", setup=[SCALE], rms=rms), None, percent=False)
+    answer = diagnosis_answer(data("setup_error", setup=[SCALE], rms=rms), percent=False)
     assert answer.sentences[0] == "A set-up fact is wrong: sensor scale of torque_sensor is 2, stated is 1.0."
     assert answer.sentences[1] == "The residual on held-out data falls from 1.69 to 0.44 N m rms."
     assert answer.sentences[-1].startswith("Next: correct the named fact")
@@ -58,7 +52,7 @@ def test_a_wrong_set_up_fact_and_a_residual_in_newton_metres_come_from_the_secon
 def test_what_cannot_be_distinguished_is_said_and_a_long_run_is_left_to_its_section():
     long = "Record " + " ".join(["one more run"] * 20)
     alike = {**MESH, "equivalent_to": ["tooth_mesh"], "next_experiment": long}
-    answer = diagnosis_answer(data("missing_physics", alike), EFFECT, percent=False)
+    answer = diagnosis_answer(data("missing_physics", alike), percent=False)
     assert "How sure: 97 % for gear mesh; these recordings do not distinguish it from tooth mesh." in answer.sentences
     assert answer.sentences[-1] == "Next: record the run that the section Findings names."
     assert words_of(answer) <= 25
@@ -67,18 +61,18 @@ def test_what_cannot_be_distinguished_is_said_and_a_long_run_is_left_to_its_sect
 def test_the_first_sentence_states_place_and_size_of_what_is_missing():
     found = {"order_output": {"value": 84.0, "unit": "1/rev"}, "amplitude_Nm": {"value": 0.05394, "unit": "N*m"}}
     gap = {**MESH, "mechanism": "backlash", "parameters": {"gap_arcmin": {"value": 6.1, "unit": "arcmin"}}}
-    answer = diagnosis_answer(data("missing_physics", {**MESH, "parameters": found}, gap), EFFECT, percent=False)
+    answer = diagnosis_answer(data("missing_physics", {**MESH, "parameters": found}, gap), percent=False)
     assert answer.sentences[0] == (
         "The model lacks gear mesh (84 per output turn, 0.0539 N m) and backlash (6.1 arcmin)."
     )
     assert words_of(answer) <= 25
-    alone = diagnosis_answer(data("missing_physics", {**MESH, "parameters": found}), EFFECT, percent=False)
+    alone = diagnosis_answer(data("missing_physics", {**MESH, "parameters": found}), percent=False)
     assert alone.sentences[0] == "The model lacks gear mesh (84 per output turn, 0.0539 N m)."
 
 
 def test_many_findings_are_counted():
     many = [{**MESH, "mechanism": name} for name in ("a", "b", "c", "d", "e")]
-    assert diagnosis_answer(data("missing_physics", *many), EFFECT, percent=False).sentences[0] == (
+    assert diagnosis_answer(data("missing_physics", *many), percent=False).sentences[0] == (
         "The model lacks a, b, c and 2 more."
     )
 

@@ -1,4 +1,4 @@
-"""Words, tables and page of the second engine."""
+"""Words, tables and page of a diagnosis."""
 
 from __future__ import annotations
 
@@ -115,7 +115,7 @@ def written(tmp_path_factory):
     out, page = folder / "out.json", folder / "out.html"
     result = CliRunner().invoke(
         command,
-        [*map(str, paths), "--scenario", str(folder / "scenario.yaml"), "--engine", "likelihood", "--json", str(out),
+        [*map(str, paths), "--scenario", str(folder / "scenario.yaml"), "--json", str(out),
          "--report", str(page)],
     )  # fmt: skip
     assert result.exit_code == 0, result.output
@@ -146,9 +146,7 @@ def test_the_written_model_is_adequate_again(written):
     folder, data, _, _ = written
     again = folder / "again.json"
     runs = [str(folder / each["file"]) for each in data["recordings"]]
-    result = CliRunner().invoke(
-        command, [*runs, "--scenario", data["model"], "--engine", "likelihood", "--json", str(again)]
-    )
+    result = CliRunner().invoke(command, [*runs, "--scenario", data["model"], "--json", str(again)])
     assert result.exit_code == 0, result.output
     assert json.loads(again.read_text())["verdict"] == "adequate"
 
@@ -164,7 +162,7 @@ def test_the_page_is_written_last(written, monkeypatch):
     monkeypatch.setattr(pages, "likelihood_page", broken)
     out = folder / "first.json"
     runs = [str(folder / each["file"]) for each in data["recordings"]]
-    arguments = [*runs, "--scenario", str(folder / "scenario.yaml"), "--engine", "likelihood", "--json", str(out)]
+    arguments = [*runs, "--scenario", str(folder / "scenario.yaml"), "--json", str(out)]
     result = CliRunner().invoke(command, [*arguments, "--report", str(folder / "first.html")])
     assert isinstance(result.exception, RuntimeError)
     assert json.loads(out.read_text())["verdict"] == "missing_physics"

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 from torquerig.api.diagnosis_values import Finding, HeldOutResidual, finding_of, mismatch_of, residual_of
 from torquerig.api.inputs import recording_from, scenario_from
@@ -115,7 +115,7 @@ class Answer(Result):
 
 def diagnose(
     scenario: Scenario | str | Path, recordings: Sequence[Recording | str | Path], *,
-    engine: Literal["rules", "likelihood"] = "rules", held_out: Sequence[str] = (), seed: int = 0,
+    held_out: Sequence[str] = (), seed: int = 0,
     workers: int | None = None, progress: Callable[[str], None] = lambda _: None,
 ) -> Answer:  # fmt: skip
     """Return which physics a scenario leaves out, by recordings of its rig, and how much better the model gets.
@@ -126,11 +126,8 @@ def diagnose(
         The nominal rig.
     recordings : sequence of Recording or path
         Runs of one rig; several speeds and loads separate most effects.
-    engine : str
-        How hypotheses are compared: ``rules`` or ``likelihood``.
     held_out : sequence of str
-        Names of recordings that are not fitted and judge the models; only of the engine ``likelihood``, which without
-        them holds out a third of each recording.
+        Names of recordings that are not fitted and judge the models; without them a third of each recording does.
     seed : int
         Fixes every random number.
     workers : int, optional
@@ -160,19 +157,16 @@ def diagnose(
     ['mains_interference']
     """
     from torquerig.parallel import parallel_processes
-    from torquerig.reporting.diagnosis.by_engine import diagnosed_by
+    from torquerig.reporting.diagnosis.likelihood.made import diagnosed
 
     made = scenario_from(scenario)
     read = [recording_from(one) for one in recordings]
     if not read:
         raise InputError("a diagnosis needs at least one recording")
-    if held_out and engine == "rules":
-        raise InputError("held_out needs engine='likelihood'; the other engine holds out parts of every recording")
     if len({one.name for one in read}) < len(read):
         read = [replace(one, name=f"{place}: {one.name}") for place, one in enumerate(read, start=1)]
     with parallel_processes(workers or min(os.cpu_count() or 1, MOST_WORKERS)):
-        found = diagnosed_by(engine, made, read, held_out=held_out, seed=seed, progress=progress)
-    how = f"engine={engine!r}, seed={seed}" if engine != "rules" else f"seed={seed}"
+        found = diagnosed(made, read, held_out=held_out, seed=seed, progress=progress)
     return Answer(
-        scenario=made, diagnosed=found, command=f"torquerig.diagnose({made.document.path.name!r}, [...], {how})"
+        scenario=made, diagnosed=found, command=f"torquerig.diagnose({made.document.path.name!r}, [...], seed={seed})"
     )

@@ -55,21 +55,14 @@ _HEAD = f"{_MARK}: the nominal rig with fitted parameters and the findings."
     default=None,
     help="Fits to run in parallel; default: one per core, at most four.",
 )
-@click.option(
-    "--engine",
-    type=click.Choice(["rules", "likelihood"]),
-    default="rules",
-    show_default=True,
-    help="How hypotheses are compared; likelihood is under development (docs/known-limits.md).",
-)
 @click.option("--held-out", "held_out", multiple=True, metavar="RECORDING", type=click.Path(path_type=Path),
-              help="Recording that is not fitted and judges the models (may be repeated, needs --engine likelihood); "
+              help="Recording that is not fitted and judges the models (may be repeated); "
               "default: a third of every recording.")  # fmt: skip
 @set_option
 @catalog_option
 def command(
     *, recordings: tuple[Path, ...], scenario: Path, out: str | None, report: Path | None, pdf: bool,
-    model: Path | None, check: bool, seed: int, workers: int | None, engine: str, held_out: tuple[Path, ...],
+    model: Path | None, check: bool, seed: int, workers: int | None, held_out: tuple[Path, ...],
     settings: tuple[str, ...], catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Find which physics the SCENARIO lacks, given RECORDINGS of one rig.
@@ -81,17 +74,16 @@ def command(
 
     Example: torquerig diagnose run1.parquet run2.parquet --scenario scenarios/wear_rig.yaml --report found.html
     """
-    _check_held_out(held_out, engine)
     printed = _printed(report) if pdf else None
     if check:
         foreign = [*([(model, _MARK)] if model else []), *([(report, _PAGE)] if report else [])]
-        _check(recordings, scenario, settings, catalogs, seed=seed, out=out, engine=engine, held_out=held_out,
+        _check(recordings, scenario, settings, catalogs, seed=seed, out=out, held_out=held_out,
                written=foreign)  # fmt: skip
         return
     from torquerig.cli.progress import stages
     from torquerig.inference.answer.document import SCHEMA
     from torquerig.parallel import parallel_processes
-    from torquerig.reporting.diagnosis.by_engine import diagnosed_by
+    from torquerig.reporting.diagnosis.likelihood.made import diagnosed
 
     target = model or _model_of(out)
     written = [(target, _MARK)] if target else []
@@ -104,7 +96,7 @@ def command(
     read = _read(recordings)
     with stages("diagnose") as progress, parallel_processes(workers or min(os.cpu_count() or 1, _MOST_WORKERS)):
         names = [one.name for one in held_out]
-        found = diagnosed_by(engine, made, read, held_out=names, seed=seed, progress=progress)
+        found = diagnosed(made, read, held_out=names, seed=seed, progress=progress)
     data = {**found.data}
     data["provenance"] = _provenance((*recordings, *map(sidecar_path, recordings), scenario), scenario, catalogs, seed)
     if found.completed is not None and target is not None:
@@ -115,7 +107,7 @@ def command(
     if out is not None:  # before the page: whatever happens to it, the answer is there
         write_json(json_text(data), out)
     if report is not None:
-        again = _command(recordings, scenario, settings=settings, held_out=held_out, engine=engine, seed=seed)
+        again = _command(recordings, scenario, settings=settings, held_out=held_out, seed=seed)
         page = found.page(data, command=again, model=_named(data["model"]))
         with whole_file(report) as partial:
             partial.write_text(page, encoding="utf-8", newline="\n")
@@ -131,11 +123,6 @@ def _printed(report: Path | None) -> Path:
         raise click.UsageError("--pdf prints the page of --report; name one, such as --report found.html --pdf.")
     check_pdf_printer()
     return report.with_suffix(".pdf")
-
-
-def _check_held_out(held_out: Sequence[Path], engine: str) -> None:
-    if held_out and engine != "likelihood":
-        raise click.UsageError("--held-out needs --engine likelihood; the other engine holds out parts of every run.")
 
 
 def _write_model(target: Path, completed: Rig, made: Scenario) -> None:
@@ -176,10 +163,10 @@ def _read(paths: tuple[Path, ...]) -> list[Recording]:
 
 def _check(
     recordings: tuple[Path, ...], scenario: Path, settings: tuple[str, ...], catalogs: tuple[Path, ...], *,
-    seed: int, out: str | None, engine: str, held_out: tuple[Path, ...], written: Sequence[tuple[Path, str]],
+    seed: int, out: str | None, held_out: tuple[Path, ...], written: Sequence[tuple[Path, str]],
 ) -> None:  # fmt: skip
+    from torquerig.cli.diagnose_parts.check_likelihood import checked_by_likelihood
     from torquerig.reporting.diagnosis.run_check import run_check
-    from torquerig.reporting.json_results.diagnosis import DiagnoseCheckResult
 
     inputs = (*recordings, *map(sidecar_path, recordings), scenario)
     if out not in (None, "-"):
@@ -189,11 +176,7 @@ def _check(
     made = read_scenario(edited(scenario, settings), catalog_for(scenario, catalogs), seed=seed)
     read = _read(recordings)
     text = run_check(made, read).text()
-    result = DiagnoseCheckResult(tuple(text.splitlines()))
-    if engine == "likelihood":
-        from torquerig.cli.diagnose_parts.check_likelihood import checked_by_likelihood
-
-        result = checked_by_likelihood(made, read, text.splitlines(), held_out=held_out)
+    result = checked_by_likelihood(made, read, text.splitlines(), held_out=held_out)
     if out != "-":
         click.echo("\n".join(result.lines))
     if out is not None:
@@ -207,14 +190,13 @@ def _check(
 
 
 def _command(
-    recordings: tuple[Path, ...], scenario: Path, *, settings: tuple[str, ...], held_out: tuple[Path, ...], engine: str,
+    recordings: tuple[Path, ...], scenario: Path, *, settings: tuple[str, ...], held_out: tuple[Path, ...],
     seed: int,
 ) -> str:  # fmt: skip
     """Return the command that reproduces the diagnosis, without folders of this machine."""
     edits = [part for setting in settings for part in ("--set", setting)]
     names = [_named(path) or "" for path in recordings]
     fixed = ["--seed", str(seed)] if seed else []
-    fixed += ["--engine", engine] if engine != "rules" else []
     fixed += [part for name in held_out for part in ("--held-out", name.name)]
     return shlex.join(
         ["torquerig", "diagnose", *names, "--scenario", _named(scenario) or "", *edits, *fixed, "--json",

@@ -1,6 +1,7 @@
-"""Backwards, the second engine: one likelihood of features, nameless alternatives, held-out data as referee.
+"""Backwards: one likelihood of features, nameless alternatives, held-out data as referee.
 
-sample_faults           samples at a limit, coarse codes and dropouts: named, mended or left out
+sample_faults           samples at a limit, coarse codes and dropouts: named, repaired or left out
+untrue_samples          faults of samples that no mechanism makes: repaired and stated; set_points: speeds of sidecars
 rig_under_test          whether the recordings can be runs of the rig
 motor_angle/            the angle of the motor in each run            places   an order or a frequency
 measured_run, blocks    a recording with its angle, cut where the speed changes; tacho_direction: which way it turned

@@ -20,10 +20,14 @@ from torquerig.inference.readings import SET_POINT_ERROR, Reading, SetupFault, b
 from torquerig.inference.rig_under_test import check_recordings, check_rig
 from torquerig.inference.sample_faults import sample_faults, usable_runs
 from torquerig.inference.search import searched
+from torquerig.inference.set_points import off_set_points
 from torquerig.inference.undecided_lines import in_both_domains
+from torquerig.inference.untrue_samples import samples_as_compared
 from torquerig.linear_twin.twin import Twin
 from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.faults import Fault
 from torquerig.rig.assembly import Rig
+from torquerig.rig.parts import InductionDrive
 from torquerig.scenario.model import Scenario
 
 Progress = Callable[[str], None]
@@ -53,6 +57,10 @@ class Outcome:
         Corrected before all else.
     judged : bool
         Whether blocks are left to which a model can be compared; not where all are at a limit of the reading.
+    untrue : tuple of Fault
+        Faults of the samples that no mechanism makes.
+    remarks : tuple of str
+        What was repaired or left out of the comparison, and which sidecars state another speed, each in a sentence.
     """
 
     runs: tuple[MeasuredRun, ...]
@@ -65,6 +73,8 @@ class Outcome:
     found: tuple[FoundLine, ...] = ()
     setup: tuple[SetupFault, ...] = ()
     judged: bool = True
+    untrue: tuple[Fault, ...] = ()
+    remarks: tuple[str, ...] = ()
 
     @property
     def completed(self) -> Rig:
@@ -89,6 +99,8 @@ class Prepared:
     setup: tuple[SetupFault, ...]
     samples: tuple[Addition, ...] = ()
     judged: bool = True
+    untrue: tuple[Fault, ...] = ()
+    remarks: tuple[str, ...] = ()
 
 
 def diagnose(
@@ -123,7 +135,10 @@ def diagnose(
     model = replace(model, additions=(*ready.samples, *model.additions))
     stated_held = features_of(ready.stated.runs, places, held_out=True) if ready.setup else held
     stated = ready.stated.fit if ready.setup else nominal
-    return Outcome(runs, data, held, nominal, model, stated, stated_held, lines, ready.setup, ready.judged)
+    return Outcome(
+        runs, data, held, nominal, model, stated, stated_held, lines, ready.setup, ready.judged, ready.untrue,
+        ready.remarks,
+    )  # fmt: skip
 
 
 def prepared(
@@ -141,18 +156,19 @@ def prepared(
             )
     rig = with_free_load(scenario.rig.at(recordings[0].run))
     progress("looking for faults of the samples")
-    faults = sample_faults(recordings, rig)
+    shown = samples_as_compared(recordings, rig, sample_faults(recordings, rig))
+    faults = shown.faults
     rig = faults.added_to(rig)
     point = scenario.operating_point
     progress("estimating the angle of the motor")
 
     def measured(of: Rig) -> tuple[tuple[MeasuredRun, ...], bool]:
         made = measured_runs(faults.recordings, of)
-        shown = [
+        ready = [
             replace(run, lost=lost, wander=point.slow_speed_wander, wander_cutoff=point.slow_speed_wander_cutoff)
             for run, lost in zip(made, faults.lost, strict=True)
         ]
-        usable, judged = usable_runs(shown, faults.unusable)
+        usable, judged = usable_runs(ready, faults.unusable)
         return with_held_out(usable, held_out), judged
 
     runs, judged = measured(rig)
@@ -168,8 +184,13 @@ def prepared(
     within = point.speed_set_point_error_max or SET_POINT_ERROR
     reading = best_reading(stated, rig, read, set_point_error=within) if judged else stated
     known = reading.data.seen[0].places
+    slips = bool(rig.parts_of(InductionDrive))  # its speed follows the load, which is no error of a set-point
+    off = () if reading.faults or slips else off_set_points(reading.runs, error=within)
     samples = faults.without_scaled_codes(each.estimated for each in reading.faults if each.kind == "sensor_scale")
-    return Prepared(reading.runs, known, reading.data, reading.fit, stated, reading.faults, samples, judged)
+    return Prepared(
+        reading.runs, known, reading.data, reading.fit, stated, reading.faults, samples, judged, shown.untrue,
+        (*shown.sentences, *off),
+    )  # fmt: skip
 
 
 def with_held_out(runs: Sequence[MeasuredRun], names: Sequence[str]) -> tuple[MeasuredRun, ...]:

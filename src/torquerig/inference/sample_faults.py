@@ -79,10 +79,7 @@ class SampleFaults:
 
 def sample_faults(recordings: Sequence[Recording], rig: Rig) -> SampleFaults:
     """Return what the samples of recordings of one rig show that the rig does not have."""
-    sensor = rig.part(rig.measured)
-    full, step = inf, 0.0
-    if isinstance(sensor, AmplifiedTorqueSensor):
-        full, step = sensor.converter_range, 2 * sensor.converter_range / 2**sensor.converter_bits
+    full, step = converter_of(rig)
     found = list[Addition]()
     coarse = None if rig.of_kind("quantization") else _codes(recordings, rig, step)
     found += [] if coarse is None else [coarse[0]]
@@ -104,6 +101,14 @@ def sample_faults(recordings: Sequence[Recording], rig: Rig) -> SampleFaults:
     )
     named = tuple(each for each in found if each.is_named)
     return SampleFaults(tuple(recordings), unusable, empty, named, 1.0 if coarse is None else code / step)
+
+
+def converter_of(rig: Rig) -> tuple[float, float]:
+    """Return range and step of the compared sensor's converter [V]; infinity and 0 where it is not stated."""
+    sensor = rig.part(rig.measured)
+    if not isinstance(sensor, AmplifiedTorqueSensor):
+        return inf, 0.0
+    return sensor.converter_range, 2 * sensor.converter_range / 2**sensor.converter_bits
 
 
 def covered(moments: Iterable[Gap], samples: int) -> NDArray[np.bool_]:

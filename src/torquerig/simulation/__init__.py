@@ -14,7 +14,6 @@
 ``failure``         the cause of a failed integration
 ``linear``          the same arrays as M, C, K; ``twin/``: linear model, modes, margins, Campbell diagram
 ``linear_path``     exact simulation of a linear rig; ``linear_start``, ``linear_refusals``: its start and limits
-``drawn_loads``     the random loads of a recording, drawn again
 ``true_lines``      the disturbance lines in a reading, from a second run without them
 =================== =============================================================================
 """

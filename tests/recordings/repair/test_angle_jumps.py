@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from math import pi
 
 import numpy as np
 import pytest
 
-from torquerig.diagnosis.sample_findings import sample_findings
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.angle_jumps import angle_jumps
 from torquerig.scenario.model import Scenario
@@ -59,21 +57,3 @@ def test_a_reading_that_is_wrong_once_is_no_jump(turning: dict[str, Recording]) 
     values = recording.channels[name].values.copy()
     values[7000] += 500.0
     assert angle_jumps(recording.with_values(name, values)) == ()
-
-
-def test_without_an_angle_none_are_told(turning: dict[str, Recording], wear_rig: Scenario) -> None:
-    recording = turning["steady"]
-    assert sample_findings([recording], wear_rig.rig).untrue == ()
-    kept = {name: one for name, one in recording.channels.items() if one.quantity == "torque"}
-    assert angle_jumps(replace(recording, channels=kept)) == ()
-
-
-def test_it_is_told_and_placed(turning: dict[str, Recording], wear_rig: Scenario) -> None:
-    recording = turning["steady"]
-    name = counter_of(recording)
-    values = recording.channels[name].values.copy()
-    values[5001:] += 4096.0  # a quarter of a turn of its 16384
-    ((sentence, place),) = sample_findings([recording.with_values(name, values)], wear_rig.rig).untrue
-    assert "jumps by up to 0.25 turns" in sentence
-    assert name in sentence
-    assert (place.domain, place.at) == ("time", 5000 / recording.sample_rate)

@@ -7,7 +7,6 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from torquerig.diagnosis.sample_findings import sample_findings
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.gain_changes import GainMoment, gain_moments, with_one_gain
 from torquerig.scenario.model import Scenario
@@ -74,14 +73,3 @@ def test_a_moment_at_the_end_is_scaled_back_too(clean: Recording) -> None:
     volts[START:] *= 0.5
     mended = with_one_gain(clean.with_values("torque_V", volts), [GainMoment(START, volts.size, 0.5)])
     assert np.std(volts_of(mended)[START:] - volts_of(clean)[START:]) < 1e-3 * np.std(volts_of(clean))
-
-
-@pytest.mark.long
-def test_it_is_told_and_placed(clean: Recording, wear_rig: Scenario) -> None:
-    volts = volts_of(clean)
-    volts[START:STOP] *= 0.5
-    ((sentence, place),) = sample_findings([clean.with_values("torque_V", volts)], wear_rig.rig).untrue
-    assert "at 2.1 s all of the signal" in sentence
-    assert (place.domain, place.at, place.width) == ("time", pytest.approx(2.1), pytest.approx(0.5))
-    assert place.excess_dB == pytest.approx(-6.0, abs=0.5)
-    assert sample_findings([clean], wear_rig.rig).untrue == ()

@@ -8,12 +8,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from torquerig.diagnosis.case import Case
-from torquerig.diagnosis.fitting.calibration import Calibrated
-from torquerig.diagnosis.hypotheses import sensor_drift, stribeck_friction
-from torquerig.diagnosis.looking.features import features
-from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.sample_findings import sample_findings
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.mean_steps import edges, mean_steps, without_steps
 from torquerig.scenario.model import Scenario
@@ -101,43 +95,3 @@ def test_a_signal_that_rests_on_one_code_and_moves_to_the_next_does_not_step(cle
     resting = clean.with_values("torque_V", volts)
     assert mean_steps([resting], resolution=0.15) == ((),)
     assert mean_steps([resting]) != ((),)
-
-
-@pytest.mark.long
-def test_it_is_told_and_mended_before_any_fit(clean: Recording, wear_rig: Scenario) -> None:
-    found = sample_findings([stepped(clean, 1.5)], wear_rig.rig)
-    assert found.candidates == ()
-    ((sentence, place),) = found.untrue
-    assert "steps by up to" in sentence
-    assert place.domain == "time"
-    assert place.at == pytest.approx(START / RATE, abs=0.02)
-    assert place.width == pytest.approx((STOP - START) / RATE, abs=0.03)
-    (mended,) = found.recordings
-    assert np.ptp(volts_of(mended)) < np.ptp(volts_of(stepped(clean, 1.5)))
-    assert len(found.lost[0]) == 2
-    assert found.stepping
-    assert not sample_findings([clean], wear_rig.rig).stepping
-
-
-@pytest.mark.parametrize("stepping", [False, True])
-def test_a_drift_and_a_friction_pay_for_what_a_step_that_was_not_seen_would_gain(
-    stepping: bool, wear_rig: Scenario, by_hand: Callable[..., Observed]
-) -> None:
-    time = np.arange(60_000) / RATE
-    run = replace(by_hand(0.1 * np.exp(-time), 100 * time, rate=RATE, name="run"), stepping=stepping)
-    model = Calibrated(wear_rig.rig, (), np.zeros(0), np.zeros((0, 0)), (), 0.0)
-    case = Case(nominal=wear_rig.rig, runs=(run,), seen=(features(run, []),), model=model, left=())
-    for propose in (sensor_drift.propose, stribeck_friction.propose):
-        prices = {candidate.price for candidate in propose(case)}
-        assert prices == ({300.0} if stepping else {0.0})
-
-
-@pytest.mark.long
-def test_many_steps_are_told_and_left_in(clean: Recording, wear_rig: Scenario) -> None:
-    """Within 4 ms: a signal that jumps so within a sample is telegraph noise."""
-    to_and_fro = 1.5 * np.convolve(np.arange(clean.samples) // 9_000 % 2, np.full(40, 1 / 40), "same")
-    spoilt = clean.with_values("torque_V", volts_of(clean) + to_and_fro)
-    found = sample_findings([spoilt], wear_rig.rig)
-    ((sentence, _),) = found.untrue
-    assert "too many of them" in sentence
-    assert np.array_equal(volts_of(found.recordings[0]), volts_of(spoilt))

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from torquerig.diagnosis.sample_findings import sample_findings
 from torquerig.recordings.recording import Recording
-from torquerig.recordings.repair.repeated_samples import Copied, copied
+from torquerig.recordings.repair.repeated_samples import copied
 from torquerig.scenario.model import Scenario
 
 CODE = 20.0 / 2**16  # [V] of the converter
@@ -55,19 +53,6 @@ def test_what_stands_still_or_turns_without_noise_is_no_copy(clean: Recording) -
     assert copied(with_volts(clean, np.sin(2 * np.pi * 50 * time))) == ()
     volts[3000:3200] = volts[9000:9200] = 1.0
     assert copied(with_volts(clean, volts)) == ()
-
-
-def test_it_is_told_and_placed(clean: Recording, wear_rig: Scenario) -> None:
-    volts = clean.channels["torque_V"].values.copy()
-    volts[9000:9200] = volts[4000:4200]
-    spoilt = with_volts(clean, volts)
-    ((sentence, place),) = sample_findings([replace(clean, run=clean.run), spoilt], wear_rig.rig).untrue
-    assert f"at {9000 / clean.sample_rate:.4g} s" in sentence
-    assert (place.domain, place.axis) == ("time", "s")
-    assert place.at == pytest.approx(9000 / clean.sample_rate, abs=1e-3)
-    assert place.width == pytest.approx(200 / clean.sample_rate, abs=1e-3)
-    assert sample_findings([clean], wear_rig.rig).untrue == ()
-    assert isinstance(copied(spoilt)[0], Copied)
 
 
 def test_a_hum_over_a_flat_top_repeats_without_a_copy(clean: Recording) -> None:

@@ -2,16 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
-import pytest
 from scipy.signal import lfilter
 
-from torquerig.diagnosis.sample_findings import sample_findings
-from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.sample_jumps import sample_jumps
-from torquerig.scenario.model import Scenario
 
 RATE = 25000.0
 TIME = np.arange(int(2 * RATE)) / RATE
@@ -50,18 +44,3 @@ def test_the_ends_of_lost_moments_do_not() -> None:
 def test_steps_of_a_code_do_not() -> None:
     codes = np.round(SMOOTH / 0.05) * 0.05
     assert sample_jumps(codes, resolution=0.05).size == 0
-
-
-@pytest.mark.long
-def test_they_are_told_where_no_gain_can_be(record: Callable[..., Recording], wear_rig: Scenario) -> None:
-    """A gain that is higher for half of the time, so that nobody knows which one is usual."""
-    clean = record(wear_rig.rig, 3, duration=8.0, rate=10_000.0)
-    volts = clean.channels["torque_V"].values.copy()
-    changes = [9_000, 20_000, 31_000, 43_000, 55_000, 66_000]
-    for start, stop in zip(changes[::2], changes[1::2], strict=True):
-        volts[start:stop] *= 1.2
-    told = dict(sample_findings([clean.with_values("torque_V", volts)], wear_rig.rig).untrue)
-    (sentence,) = [each for each in told if "from one sample to the next" in each]
-    assert "0.9, 2, 3.1, 4.3 s and later" in sentence
-    assert (told[sentence].domain, told[sentence].at) == ("time", pytest.approx(0.9))
-    assert sample_findings([clean], wear_rig.rig).untrue == ()

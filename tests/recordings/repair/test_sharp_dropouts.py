@@ -7,14 +7,12 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from torquerig.diagnosis.sample_findings import sample_findings
 from torquerig.mechanisms import Clipping, Quantization, SignalDropout
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.coarse_codes import coarse_codes
 from torquerig.recordings.repair.flat_tops import flat_tops
 from torquerig.recordings.repair.moments import bridged
 from torquerig.recordings.repair.sharp_dropouts import _gaps, dropouts, gaps, moments_lost
-from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario
 
 FULL = 10.0  # [V] the converter's range
@@ -28,14 +26,6 @@ def clean(wear_rig: Scenario, record: Callable[..., Recording]) -> Recording:
 
 def with_volts(recording: Recording, volts: np.ndarray) -> Recording:
     return recording.with_values("torque_V", CODE * np.round(volts / CODE))
-
-
-@pytest.mark.parametrize("seed", range(3))
-def test_a_clean_run_shows_no_fault(seed: int, wear_rig: Scenario, record: Callable[..., Recording]) -> None:
-    made = [record(wear_rig.rig, seed, duration=3.0), record(wear_rig.rig, seed + 20, duration=3.0, occupancy=15.0)]
-    found = sample_findings(made, wear_rig.rig)
-    assert (found.candidates, found.clipped, found.unnamed) == ((), (), ())
-    assert found.recordings == tuple(made)
 
 
 @pytest.mark.parametrize("step", [0.0011, 0.0077, 0.05])
@@ -61,23 +51,6 @@ def test_flat_tops_are_found_with_their_limit(sign: float, clean: Recording) -> 
     assert found.limit == pytest.approx(limit, abs=CODE)
     assert found.share == pytest.approx(0.005, rel=0.1)
     assert found.runs == (clean.name,)
-
-
-@pytest.mark.parametrize(("share", "seldom"), [(0.005, True), (0.1, False)])
-def test_a_run_that_is_seldom_cut_off_is_put_right(
-    share: float, seldom: bool, wear_rig: Scenario, clean: Recording
-) -> None:
-    volts = clean.channels["torque_V"].values
-    limit = float(np.quantile(np.abs(volts), 1 - share))
-    cut = with_volts(clean, np.clip(volts, -limit, limit))
-    found = sample_findings([cut], wear_rig.rig)
-    assert [each.mechanism for each in found.candidates] == ["clipping"]
-    assert found.clipped == (cut.name,)
-    assert found.rebuilt == ((cut.name,) if seldom else ())
-    mended = found.recordings[0].channels["torque_V"].values
-    lost = np.abs(volts) > limit
-    left = float(np.abs(mended - volts)[lost].sum() / np.abs(cut.channels["torque_V"].values - volts)[lost].sum())
-    assert left < 0.9 if seldom else left == pytest.approx(1.0)
 
 
 def test_a_reading_that_fills_the_converter_is_no_fault_of_the_amplifier(clean: Recording) -> None:
@@ -159,33 +132,6 @@ FAULTS = {
     "clipping": (Clipping(name="flat", limit=1.3), {"limit": 1.3}),
     "signal_dropout": (SignalDropout(name="lost", duration=4e-3, rate=2.0), {"duration": 4e-3, "level": 0.0}),
 }
-
-
-@pytest.mark.parametrize("kind", FAULTS)
-def test_each_fault_of_the_simulator_becomes_a_candidate(
-    kind: str, wear_rig: Scenario, record: Callable[..., Recording]
-) -> None:
-    effect, parameters = FAULTS[kind]
-    faulty: Rig = wear_rig.rig + effect
-    found = sample_findings([record(faulty, 5)], wear_rig.rig)
-    assert [candidate.mechanism for candidate in found.candidates] == [kind]
-    part = found.candidates[0].parts[0]
-    for name, value in parameters.items():
-        assert getattr(part, name) == pytest.approx(value, rel=0.02, abs=2 * CODE)
-
-
-def test_a_fault_that_the_scenario_has_is_not_found_again(wear_rig: Scenario, record: Callable[..., Recording]) -> None:
-    coarse = wear_rig.rig + Quantization(name="coarse", step=0.0123)
-    assert sample_findings([record(coarse, 5, duration=3.0)], coarse).candidates == ()
-
-
-def test_without_its_class_a_fault_has_no_name(
-    wear_rig: Scenario, record: Callable[..., Recording], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    run = record(wear_rig.rig + Quantization(name="coarse", step=0.0123), 5, duration=3.0)
-    monkeypatch.delattr("torquerig.mechanisms.Quantization")
-    found = sample_findings([run], wear_rig.rig)
-    assert (found.candidates, found.unnamed) == ((), ("quantization",))
 
 
 def test_impacts_that_ring_are_no_dropouts(clean: Recording) -> None:

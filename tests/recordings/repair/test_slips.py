@@ -7,7 +7,6 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from torquerig.diagnosis.sample_findings import sample_findings
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.slips import slips
 from torquerig.scenario.model import Scenario
@@ -82,17 +81,3 @@ def test_a_run_that_turns_back_has_its_blows_and_not_its_reversals(made: Callabl
     _, turning = slips([made(0.5, seed=1, at=AT), made(0.5, seed=2, at=(4.4, 7.5), profile="reversal")])
     assert turning is not None
     assert [round(start / RATE, 1) for start, _ in turning.moments] == [4.4, 7.5]
-
-
-def test_they_are_bridged_and_told(made: Callable[..., Recording], wear_rig: Scenario) -> None:
-    recordings = [made(0.5, seed=1, at=AT), made(0.5, seed=2, at=AT)]
-    found = sample_findings(recordings, wear_rig.rig)
-    assert [len(moments) for moments in found.struck] == [4, 4]
-    assert [sentence.split(" the torque")[0] for sentence, _ in found.untrue] == [
-        f"{each.name}: at {place.at:.4g}, {', '.join(f'{start / RATE:.4g}' for start, _ in moments[1:])} s"
-        for each, (_, place), moments in zip(recordings, found.untrue, found.struck, strict=True)
-    ]
-    for recording in found.recordings:
-        volts = recording.channels["torque_V"].values
-        assert np.abs(volts - 0.5).max() < 0.12, "six spreads of the noise"
-    assert sample_findings([made(0.5, seed=1)], wear_rig.rig).struck == ((),)

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from math import pi
 
 import numpy as np
 import pytest
 
-from torquerig.diagnosis.sample_findings import sample_findings
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.path_sum import largest_path_sum
 from torquerig.recordings.repair.sweep_course import Sweep, without_sweep
@@ -93,21 +91,3 @@ def test_the_largest_path_of_a_grid_is_found_by_trying_all() -> None:
     }
     start, stop = max(every, key=lambda ends: every[ends])
     assert largest_path_sum(values, 3) == (pytest.approx(every[start, stop]), start, stop)
-
-
-@pytest.mark.long
-def test_it_is_told_and_placed_in_every_run(clean: Recording, wear_rig: Scenario) -> None:
-    spoilt = clean.with_values("torque_V", volts_of(clean) + sweeping(300.0, 520.0, 0.05))
-    ramp = replace(spoilt, name="ramp.parquet", run=replace(spoilt.run, profile="ramp"))
-    found = sample_findings([ramp, spoilt], wear_rig.rig)
-    assert {place.recordings[0] for _, place in found.untrue} == {spoilt.name, "ramp.parquet"}
-    for sentence, place in found.untrue:
-        assert "a line sweeps from 300" in sentence
-        assert (place.domain, place.at, place.width) == (
-            "frequency",
-            pytest.approx(410, abs=1),
-            pytest.approx(220, abs=1),
-        )
-    assert found.swept == (pytest.approx((300.0, 520.0), abs=1),)
-    left = volts_of(found.recordings[1]) - volts_of(clean)
-    assert np.std(left) < 0.1 * np.std(sweeping(300.0, 520.0, 0.05))

@@ -7,7 +7,6 @@ from collections.abc import Callable, Sequence
 import numpy as np
 import pytest
 
-from torquerig.diagnosis.sample_findings import sample_findings
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.telegraph_noise import Telegraph, telegraph_noise, without_telegraph
 from torquerig.scenario.model import Scenario
@@ -132,17 +131,6 @@ def test_a_load_that_rises_and_falls_twice_is_none(clean: list[Recording]) -> No
         for each, height in zip(clean, (0.5, 0.9, 1.4), strict=True)
     ]
     assert found_in(spoilt) == (None, None, None)
-
-
-def test_it_is_told_in_words(clean: list[Recording], wear_rig: Scenario) -> None:
-    found = sample_findings(jumping(clean, 1.5), wear_rig.rig)
-    assert len(found.untrue) == len(clean)
-    for sentence, place in found.untrue:
-        assert "random telegraph" in sentence
-        assert "1.5 V apart, within a sample" in sentence
-        assert place.domain == "time"
-    assert found.untrue[0][1].at == pytest.approx(FLIPS[0][0] / RATE)
-    assert found.stepping, "a jump that was not seen stays in the mean"
 
 
 def test_it_is_found_beside_a_bearing_that_rings(clean: list[Recording]) -> None:

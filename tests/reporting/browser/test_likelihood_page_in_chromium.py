@@ -1,4 +1,4 @@
-"""The page of the second engine in a real browser: alone, without an error, on a phone, in short sentences."""
+"""The page of a diagnosis in a real browser: alone, without an error, on a phone, in short sentences."""
 
 import re
 

@@ -186,11 +186,9 @@ def test_the_numbers_of_a_matrix_file_are_moved_and_saved(opened, folder):
     assert yaml.safe_load(after)["criteria"][name]["weight"] == 0.77
 
 
-@pytest.mark.parametrize("engine", ["likelihood", "rules"])
-def test_a_diagnosis_is_shown(opened, folder, engine):
+def test_a_diagnosis_is_shown(opened, folder):
     shown = opened("diagnose")
     page = shown.page
-    page.get_by_label("engine").select_option(engine)
     clicked(page, "Diagnose")
     wait_for(page, "Done.", timeout=LONG)
     assert len(page.inner_text(".answer .sentence")) > 10

@@ -15,7 +15,7 @@ from torquerig.studio.diagnosing.question import DiagnosisQuestion
 def test_the_likelihood_compares_a_measured_motion_in_the_studio(tmp_path):
     scenario, recording, stages = tmp_path / "rig.yaml", tmp_path / "run.csv", []
     write_recording(recorded(lambda time, position, speed: 20.0 * np.sign(speed)), recording)
-    question = DiagnosisQuestion(scenario, CARRIAGE, (recording,), engine="likelihood")
+    question = DiagnosisQuestion(scenario, CARRIAGE, (recording,))
     shown = diagnosed(question, lambda *, stage: stages.append(stage))
     assert [one["mechanism"] for one in shown.data["findings"]] == ["stribeck_friction"]
     assert any("The error on held-out data changes from" in one for one in shown.answer.sentences)

@@ -1,4 +1,4 @@
-"""``torquerig diagnose --check --engine likelihood``: what recordings would show, and what they cannot tell apart."""
+"""``torquerig diagnose --check``: what recordings would show, and what they cannot tell apart."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _FURTHER = "Record a run that turns back, and one at another speed; the next run
 def checked_by_likelihood(
     scenario: Scenario, recordings: Sequence[Recording], lines: Sequence[str], *, held_out: Sequence[Path]
 ) -> DiagnoseCheckResult:
-    """Return the check of the first engine, ``lines``, with what the recordings would show of each mechanism.
+    """Return the check of the files, ``lines``, with what the recordings would show of each mechanism.
 
     The nominal rig is fitted as a diagnosis fits it, so that what a diagnosis refuses is refused here.
 
@@ -52,7 +52,8 @@ def _checked_motion(
 ) -> DiagnoseCheckResult:
     """Return the check where the motion was measured."""
     with stages("diagnose --check") as progress:
-        _, nominal = nominal_fits(scenario, recordings, held_out_runs=held_out, progress=progress)
+        compared = as_compared(scenario, recordings)
+        _, nominal = nominal_fits(compared.scenario, compared.recordings, held_out_runs=held_out, progress=progress)
         progress("computing what the recordings would show")
         seen = signatures(nominal)
     found = Beforehand(
@@ -74,6 +75,8 @@ def _result(lines: Sequence[str], found: Beforehand) -> DiagnoseCheckResult:
 
 
 def _suspicions(ready: Prepared) -> Iterator[str]:
+    for sentence in ready.remarks:
+        yield from wrapped(f"suspicious: {sentence}").splitlines()
     for fault in ready.setup:
         yield from wrapped(f"suspicious: {fault.explanation}").splitlines()
 

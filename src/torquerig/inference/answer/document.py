@@ -11,7 +11,7 @@ from torquerig.inference.answer.confidence import far_numbers, named, nameless
 from torquerig.inference.answer.effects import finding, finding_of_number, unnamed
 from torquerig.inference.answer.held_out_figures import fit_figures
 from torquerig.inference.answer.isolated import next_experiment, next_experiment_for_nameless, upper_limits
-from torquerig.inference.answer.located import differences, remaining
+from torquerig.inference.answer.located import differences, fault_place, remaining
 from torquerig.inference.answer.numbers import digits
 from torquerig.inference.answer.owned import owned
 from torquerig.inference.answer.rms import rms_errors
@@ -33,7 +33,7 @@ def as_json(outcome: Outcome) -> dict[str, Any]:
     return {
         "schema": SCHEMA,
         "verdict": word,
-        "mismatch": [*differences(outcome), *remaining(outcome)],
+        "mismatch": [*map(fault_place, outcome.untrue), *differences(outcome), *remaining(outcome)],
         "findings": [
             *(finding(outcome, each, next_experiment=next_experiment(outcome, each)) for each in named(outcome)),
             *(finding_of_number(outcome, each, owner) for each, owner in far if owner is not None),
@@ -45,6 +45,7 @@ def as_json(outcome: Outcome) -> dict[str, Any]:
         "upper_limits": upper_limits(outcome) if word == "adequate" else [],
         "set_aside": rejected(outcome),
         "next_experiment": next_experiment_for_nameless(outcome),
+        "remarks": [*outcome.remarks],
         "model": None,
         "recordings": [
             {"file": run.name, "speed_rpm": digits(float(np.mean(run.speed)) * 30 / pi), "used_for": _use(run)}

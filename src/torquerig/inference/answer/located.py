@@ -18,6 +18,7 @@ from torquerig.inference.fit import all_residuals
 from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE, Residuals
 from torquerig.inference.places import Place
 from torquerig.inference.undecided_lines import column_of
+from torquerig.recordings.repair.faults import Fault
 
 _ORDER_WIDTH, _TONE_WIDTH = 0.01, 1.0  # [1/rev], [Hz] to which the place of a line is reported
 _DECIBELS = 10 / log(10)
@@ -38,6 +39,16 @@ def differences(outcome: Outcome) -> list[dict[str, Any]]:
             _of_excess(tested, one) for each in _largest(excesses) if each.kind != LINE for one in _peaks(tested, each)
         ]
     return sorted(rows, key=lambda row: -row["share_of_misfit"])
+
+
+def fault_place(fault: Fault) -> dict[str, Any]:
+    """Return the place of a fault of samples that no mechanism makes; it is repaired, so no residual is left there."""
+    place = fault.place
+    return {
+        "domain": place.domain, "axis": "s" if place.domain == "time" else "Hz", "at": digits(place.at),
+        "width": digits(place.width), "recordings": [fault.recording], "excess_dB": digits(place.excess),
+        "share_of_misfit": 0.0, "p_value": 0.0,
+    }  # fmt: skip
 
 
 def remaining(outcome: Outcome) -> list[dict[str, Any]]:

@@ -17,6 +17,8 @@ from torquerig.inference.prediction.expected_run import expected_run
 
 def verdict(outcome: Outcome) -> str:
     """Return the contract's word for what was found."""
+    if outcome.untrue:
+        return "unexplained"
     if not outcome.judged:
         return "missing_physics"
     large = [each for each in nameless(outcome) if not is_minor(outcome, each)]

@@ -21,7 +21,7 @@ _NEXT: Mapping[str, str] = {
 """What to do next for each verdict, where the diagnosis names no run itself."""
 
 
-def answer_lines(data: Mapping[str, Any], *, verdict: str, effect: str = "", remarks: Sequence[str] = ()) -> list[str]:
+def answer_lines(data: Mapping[str, Any], *, verdict: str, remarks: Sequence[str] = ()) -> list[str]:
     """Return the answer in at most 15 lines.
 
     Parameters
@@ -30,20 +30,26 @@ def answer_lines(data: Mapping[str, Any], *, verdict: str, effect: str = "", rem
         The diagnosis in the contract's form.
     verdict : str
         The verdict in sentences.
-    effect : str
-        Sentence on how much the findings change the reading, in N m.
     remarks : sequence of str
-        Printed as far as there are lines left.
+        Printed as far as there are lines left; the last line says where the others are.
     """
     head = wrapped(verdict).splitlines()
-    size = wrapped(effect or _residual(data)).splitlines()
+    size = wrapped(_residual(data)).splitlines()
     last = wrapped(f"Next: {_next(data)}.").splitlines()
     details = [line for one in _details(data) for line in wrapped(one).splitlines()]
     room = MOST_LINES - len(head) - len(size) - len(last)
-    if len(details) > room:
-        details = [*details[: room - 1], "More findings are in the JSON and in the report (--json, --report)."]
-    noted = [line for one in remarks for line in wrapped(one).splitlines()]
-    return [*head, *size, *details, *noted[: room - len(details)], *last][:MOST_LINES]
+    details = _cut(details, room - bool(remarks), "findings")
+    noted = _cut([line for one in remarks for line in wrapped(one).splitlines()], room - len(details), "remarks")
+    return [*head, *size, *details, *noted, *last][:MOST_LINES]
+
+
+def _cut(lines: list[str], room: int, what: str) -> list[str]:
+    """Return the lines, or so many of them that a last one says where the others are."""
+    if len(lines) <= room:
+        return lines
+    return (
+        [*lines[: room - 1], f"More {what} are in the JSON and in the report (--json, --report)."] if room > 0 else []
+    )
 
 
 def _residual(data: Mapping[str, Any]) -> str:

@@ -1,4 +1,4 @@
-"""What is shown and written of a diagnosis, whichever engine made it."""
+"""What is shown and written of a diagnosis."""
 
 from __future__ import annotations
 

@@ -1,13 +1,13 @@
 """The answer of a diagnosis page, from the diagnosis as JSON: what is missing, how large, how sure, what to do next.
 
-It reads the contract's form, so that the page of each engine shows the same first screen.
+It reads the contract's form.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 from torquerig.reporting.diagnosis.sentences import fact_text, mechanism_text
 from torquerig.reporting.layout import plain
@@ -35,22 +35,6 @@ _NEXT = {
 }
 
 
-class ReadingChange(Protocol):
-    """How much the findings change the reading."""
-
-    @property
-    def rms(self) -> float:
-        """In ``unit``."""
-
-    @property
-    def unit(self) -> str:
-        """As the contract writes it."""
-
-    @property
-    def sentence(self) -> str:
-        """Says how it was determined."""
-
-
 @dataclass(frozen=True, kw_only=True)
 class DiagnosisAnswer:
     """What the first screen of a diagnosis shows."""
@@ -60,19 +44,17 @@ class DiagnosisAnswer:
     tone: str
 
 
-def diagnosis_answer(data: Mapping[str, Any], effect: ReadingChange | None = None, *, percent: bool) -> DiagnosisAnswer:
+def diagnosis_answer(data: Mapping[str, Any], *, percent: bool) -> DiagnosisAnswer:
     """Return the answer of a diagnosis in the contract's form.
 
     Parameters
     ----------
-    effect : ReadingChange or None
-        How much all findings change the reading; without it the largest size of a finding that ``data`` states.
     percent : bool
         Whether the residual on held-out data is a share of the measured signal; else it is a mean square.
     """
     return DiagnosisAnswer(
-        sentences=(_missing(data), *_size(data, effect), _sure(data), *_next(data)),
-        figures=(_size_figure(data, effect), _sure_figure(data), _residual_figure(data, percent=percent)),
+        sentences=(_missing(data), *_size(data), _sure(data), *_next(data)),
+        figures=(_size_figure(data), _sure_figure(data), _residual_figure(data, percent=percent)),
         tone=TONES.get(str(data["verdict"]), "open"),
     )
 
@@ -109,9 +91,7 @@ def _listed(names: Sequence[str]) -> str:
     return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
 
 
-def _size(data: Mapping[str, Any], effect: ReadingChange | None) -> tuple[str, ...]:
-    if effect is not None:
-        return (effect.sentence,)
+def _size(data: Mapping[str, Any]) -> tuple[str, ...]:
     rms = data.get("rms")
     if not rms:
         return ()
@@ -141,10 +121,8 @@ def _next(data: Mapping[str, Any]) -> tuple[str, ...]:
     return ("Next: record the run that the section Findings names.",)
 
 
-def _size_figure(data: Mapping[str, Any], effect: ReadingChange | None) -> LargeFigure:
+def _size_figure(data: Mapping[str, Any]) -> LargeFigure:
     name = "change of the reading"
-    if effect is not None:
-        return LargeFigure(name=name, value=f"{effect.rms:.3g} {effect.unit.replace('*', ' ')}", note="rms")
     sized = [one for one in data["findings"] if one.get("size")]
     if sized:
         first = max(sized, key=lambda one: one["size"]["value"])

@@ -112,7 +112,7 @@ class InseparablePair:
 class DiagnoseCheckResult:
     """What a diagnosis would compare, line by line as ``torquerig diagnose --check`` prints it.
 
-    With ``--engine likelihood`` also what the recordings would show, and what they cannot tell apart.
+    Also what the recordings would show, and what they cannot tell apart.
     """
 
     lines: tuple[str, ...]

@@ -35,7 +35,7 @@ def visible(question: DiagnosisQuestion, report: Report) -> Visible:
     Raises
     ------
     InputError, RecordingError
-        As a diagnosis by the engine ``likelihood``.
+        As a diagnosis.
     """
     from torquerig.inference.engine import prepared
     from torquerig.inference.isolability.beforehand import beforehand

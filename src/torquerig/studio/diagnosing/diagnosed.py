@@ -12,7 +12,7 @@ from torquerig.errors import InputError
 from torquerig.recordings.files import read_recording
 from torquerig.recordings.files.sidecar import sidecar_path
 from torquerig.recordings.recording import Recording
-from torquerig.reporting.diagnosis.by_engine import diagnosed_by
+from torquerig.reporting.diagnosis.likelihood import made
 from torquerig.rig.assembly import Rig
 from torquerig.rig.imposed_part import imposed_part
 from torquerig.scenario.model import Scenario
@@ -64,7 +64,7 @@ def _read(question: DiagnosisQuestion) -> list[Recording]:
 def _shown(
     scenario: Scenario, recordings: Sequence[Recording], question: DiagnosisQuestion, staged: Staged
 ) -> DiagnosisShown:
-    found = diagnosed_by(question.engine, scenario, recordings, seed=question.seed, progress=staged)
+    found = made.diagnosed(scenario, recordings, seed=question.seed, progress=staged)
     staged("simulating with and without each effect")
     is_motion = imposed_part(scenario.rig) is not None
     each = (
@@ -98,7 +98,7 @@ def _with_provenance(data: dict[str, Any], question: DiagnosisQuestion) -> dict[
     files = (*question.recordings, *map(sidecar_path, question.recordings), question.path)
     made = provenance_of(
         files, seed=question.seed, catalogs=catalog_folders(question.path, question.catalogs),
-        options={"engine": question.engine},
+        options={},
     )  # fmt: skip
     plain = plain_values(made)[0]
     hashes = {**plain["inputs_sha256"], question.path.name: sha256(question.text.encode()).hexdigest()}

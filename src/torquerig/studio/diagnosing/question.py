@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 from torquerig.studio.shown_answer import ShownAnswer, ShownPicture
-
-EngineName = Literal["rules", "likelihood"]
 
 
 @dataclass(frozen=True)
@@ -25,8 +23,6 @@ class DiagnosisQuestion:
     recordings : tuple of Path
     catalogs : tuple of Path
         Further catalog folders.
-    engine : str
-        How hypotheses are compared.
     seed : int
         Of all random numbers.
     workers : int
@@ -37,7 +33,6 @@ class DiagnosisQuestion:
     text: str
     recordings: tuple[Path, ...]
     catalogs: tuple[Path, ...] = ()
-    engine: EngineName = "rules"
     seed: int = 0
     workers: int = 1
 
@@ -54,11 +49,11 @@ class DiagnosisShown:
     lines : tuple of str
         The same as the command prints it.
     pictures : tuple of ShownPicture
-        Measured, nominal and completed; empty for an engine that draws none.
+        Measured, nominal and completed; empty under measured motion.
     model : str or None
         The completed scenario as the text of a file; None where nothing was added.
     page : str or None
-        The page as one HTML file; None for an engine that writes none.
+        The page as one HTML file; None where none is made.
     each : tuple of rows
         How much each part that was added changes the reading; see ``each_effect``. Empty under measured motion.
     """

@@ -3,24 +3,22 @@
 from __future__ import annotations
 
 import os
-from typing import cast
 
 from nicegui import ui
 
 from torquerig.errors import InputError
 from torquerig.reporting.json_results.document import json_text
 from torquerig.studio.diagnosing.diagnosed import diagnosed
-from torquerig.studio.diagnosing.question import DiagnosisQuestion, DiagnosisShown, EngineName
+from torquerig.studio.diagnosing.question import DiagnosisQuestion, DiagnosisShown
 from torquerig.studio.jobs.job import Job, start
 from torquerig.studio.server.elements import button, enable, words
-from torquerig.studio.server.fields import choice, text_field
+from torquerig.studio.server.fields import text_field
 from torquerig.studio.server.step import Step
 from torquerig.studio.server.tab import Tab
 from torquerig.studio.steps.chosen_recordings import ChosenRecordings
 from torquerig.studio.steps.diagnose_result import show_diagnosis
 from torquerig.studio.steps.job_panel import JobPanel
 
-ENGINES = ("rules", "likelihood")
 MOST_WORKERS = 4  # each fit takes some 200 MB
 
 
@@ -29,14 +27,11 @@ class _Diagnose:
 
     def __init__(self, tab: Tab) -> None:
         self.tab = tab
-        self._engine = ENGINES[0]
         self._found: DiagnosisShown | None = None
         words("Diagnose", "h2")
         words("All recordings must be runs of one rig, with the conditions that their sidecars state. The other steps "
               "stay usable meanwhile.", kind="note")  # fmt: skip
         self._files = ChosenRecordings(tab, lambda: None)
-        with ui.element("div").classes("form"):
-            choice("engine", ENGINES, self._engine, self._choose)
         self._panel = JobPanel(tab, "diagnosis", "Diagnose", self._begin, self._show)
         self._saves()
         self._result = ui.element("div")
@@ -51,9 +46,6 @@ class _Diagnose:
                 self._save_model = button("Save the completed scenario", self._write_model)
                 button("Save the JSON", self._download_json)
                 button("Save the page", self._download_page)
-
-    def _choose(self, engine: str) -> None:
-        self._engine = engine
 
     def _begin(self) -> Job | None:
         document = self.tab.document
@@ -70,7 +62,7 @@ class _Diagnose:
         workers = min(os.cpu_count() or 1, MOST_WORKERS)
         return start(diagnosed, DiagnosisQuestion(
             document.path, document.text, self._files.paths, catalogs=tuple(self.tab.session.further),
-            engine=cast(EngineName, self._engine), workers=workers,
+            workers=workers,
         ))  # fmt: skip
 
     def _show(self, found: DiagnosisShown) -> None:

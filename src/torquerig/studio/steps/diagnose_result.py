@@ -1,4 +1,4 @@
-"""What a diagnosis found, from its JSON: the same for each engine."""
+"""What a diagnosis found, from its JSON."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ class VisibleSizes:
             self.tab.say(self._files.unsaved())
             return None
         return start(visible, DiagnosisQuestion(
-            document.path, document.text, self._files.paths, catalogs=self.tab.session.further, engine="likelihood",
+            document.path, document.text, self._files.paths, catalogs=self.tab.session.further,
         ))  # fmt: skip
 
     def _show(self, found: Visible) -> None:

@@ -1,4 +1,4 @@
-"""The first screen of the second engine's page."""
+"""The first screen of a diagnosis' page."""
 
 from __future__ import annotations
 

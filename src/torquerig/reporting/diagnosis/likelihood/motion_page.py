@@ -1,4 +1,4 @@
-"""The page of a diagnosis under measured motion by the second engine: one self-contained HTML file."""
+"""The page of a diagnosis under measured motion: one self-contained HTML file."""
 
 from __future__ import annotations
 

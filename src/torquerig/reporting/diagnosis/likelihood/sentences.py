@@ -1,4 +1,4 @@
-"""Sentences of the second engine's answer, from the diagnosis in the contract's form."""
+"""Sentences of the answer, from the diagnosis in the contract's form."""
 
 from __future__ import annotations
 
@@ -32,15 +32,18 @@ def verdict_of(data: Mapping[str, Any], *, measure: ResidualMeasure = FEATURE_RE
     if verdict == "missing_physics":
         return f"{lacks}With what was found, the {name} {change}.{least}"
     more = "Something more" if named else "Something"
-    return f"{lacks}{more} is missing that no mechanism of the library explains.{_place(data)} The {name} {change}."
+    where = _place(data, measure)
+    return f"{lacks}{more} is missing that no mechanism of the library explains.{where} The {name} {change}."
 
 
-def _place(data: Mapping[str, Any]) -> str:
+def _place(data: Mapping[str, Any], measure: ResidualMeasure) -> str:
     """Return where the largest residual is if nothing was found that locates it."""
     rows = data["mismatch"]
     if data["findings"] or data["unnamed"] or not rows:
         return ""
     row = max(rows, key=lambda one: one["share_of_misfit"])
+    if not row["share_of_misfit"]:  # faults of samples, which were repaired
+        return f" {measure.without_place}"
     place = place_text(Mismatch(**{**row, "recordings": tuple(row["recordings"])}))
     return f" The largest residual is {place}, in {' and '.join(row['recordings'][:2])}."
 

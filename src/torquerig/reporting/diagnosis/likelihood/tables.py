@@ -1,4 +1,4 @@
-"""Tables of the second engine's answer, from the diagnosis in the contract's form."""
+"""Tables of the answer, from the diagnosis in the contract's form."""
 
 from __future__ import annotations
 

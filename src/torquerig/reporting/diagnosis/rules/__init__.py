@@ -1,1 +1,0 @@
-"""The pages of the first engine; ``motion_*`` where the motion was measured."""
