@@ -123,7 +123,8 @@ def _unnamed(row: Mapping[str, Any]) -> Located | None:
     if row.get("at") is None:
         return None
     at = float(row["at"])
-    domain = DOMAIN_OF_KIND.get(row["kind"], "frequency" if row.get("axis") == "Hz" else "time")
+    of_axis = {"Hz": "frequency", "rpm": "speed"}.get(str(row.get("axis")), "time")
+    domain = "speed" if of_axis == "speed" else DOMAIN_OF_KIND.get(row["kind"], of_axis)
     multiples = row.get("harmonics") or [1]
     return Located(
         domain, str(row.get("axis") or ""), tuple(at * float(one) for one in multiples), 0.0, bool(row.get("minor"))

@@ -57,6 +57,7 @@ from torquerig.mechanisms import (
     SensorNonlinearity,
     SignalDropout,
     SixStepCommutation,
+    SpeedCourse,
     StribeckFriction,
     ToothMesh,
     TorqueRipple,
@@ -274,6 +275,11 @@ ROWS: tuple[Row, ...] = (
         effect=ReadingCourse(name="it", shape="step", at=0.4, zero=0.1, gain=0.1),
         nothing=ReadingCourse(name="it", shape="step", at=0.4),
         why_no_lines="a slow zero and gain",
+    ),
+    Row(
+        effect=SpeedCourse(name="it", shape="kink", at=50.0, size=0.1),
+        nothing=SpeedCourse(name="it", shape="window", at=50.0),
+        why_no_lines="a mean torque",
     ),
     Row(
         effect=FlickerNoise(name="it", corner=200.0),

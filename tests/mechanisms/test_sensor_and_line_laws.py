@@ -34,6 +34,7 @@ from torquerig.mechanisms import (
     SensorHysteresis,
     SensorNonlinearity,
     SignalDropout,
+    SpeedCourse,
     TorqueRipple,
 )
 from torquerig.recordings.run import Run
@@ -55,6 +56,10 @@ EFFECTS: list[tuple[str, Part]] = [
     (
         "{kind: reading_course, shape: ramp, at: 0.4, zero: 20 mV, gain: -5 %}",
         ReadingCourse(name="it", shape="ramp", at=0.4, zero=0.02, gain=-0.05),
+    ),
+    (
+        "{kind: speed_course, shape: window, at: 40 rad/s, size: -20 mN*m}",
+        SpeedCourse(name="it", shape="window", at=40.0, size=-0.02),
     ),
     (
         "{kind: pwm_aliasing, switching_frequency: 24 kHz, amplitude: 30 mV}",

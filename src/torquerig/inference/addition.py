@@ -35,8 +35,8 @@ class Addition:
     variant : str
         Which finer mechanism of the library makes it, or which form of the class; empty for the class itself.
     kind : str
-        Of a nameless effect ``line_family``, ``tone``, ``resonance``, ``level_course`` or ``gain_course``; of a
-        number of the rig ``parameter``.
+        Of a nameless effect ``line_family``, ``tone``, ``resonance``, ``level_course`` (over time or speed) or
+        ``gain_course``; of a number of the rig ``parameter``.
     parts : tuple of Part
         At the medians of their priors.
     knobs : tuple of Knob

@@ -191,16 +191,21 @@ def _with_common_factor(value: Floats, sd: Floats, common: Floats, shown: NDArra
     return white[shown] * wider, wider
 
 
-def _levels(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals:
+def level_root(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Floats:
+    """Return the lower triangular root of the covariance of the levels [N m], shape (levels, levels)."""
     largest = seen.largest_level
     parts = (off.level_floor * largest, off.level * model.level, seen.level_time_error * model.level_rate,
              _WITHIN * model.level_range, model.level_error)  # fmt: skip
     own = np.zeros(seen.level.size) + sum(np.square(part) for part in parts)
     least = _SINGULAR * largest**2 + _NOTHING
-    root = cholesky(model.level_covariance + np.diag(own + least), lower=True)
+    return np.asarray(cholesky(model.level_covariance + np.diag(own + least), lower=True))
+
+
+def _levels(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residuals:
+    root = level_root(seen, model, off)
     white = solve_triangular(root, seen.level - model.level, lower=True)
     at, none = np.arange(seen.level.size), np.full(seen.level.size, -1)
-    sd = np.diag(root) / max(largest, _NOTHING)
+    sd = np.diag(root) / max(seen.largest_level, _NOTHING)
     return Residuals(white * sd, sd, np.full(seen.level.size, LEVEL, dtype=np.int8), at, none)
 
 

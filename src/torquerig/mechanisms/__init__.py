@@ -27,6 +27,7 @@ Sensor, cable and file
     clipping             saturation                       quantization         coarse codes
     noise_hump           a band of noise, no cause claimed
     reading_course       zero or gain that change, no cause claimed
+    speed_course         torque that follows the speed, no cause claimed
     flicker_noise        1/f below a corner            logger_low_pass      the logger's filter, any order
 """
 
@@ -81,6 +82,7 @@ if TYPE_CHECKING:
     from torquerig.mechanisms.sensor_nonlinearity import SensorNonlinearity as SensorNonlinearity
     from torquerig.mechanisms.signal_dropout import SignalDropout as SignalDropout
     from torquerig.mechanisms.six_step_commutation import SixStepCommutation as SixStepCommutation
+    from torquerig.mechanisms.speed_course import SpeedCourse as SpeedCourse
     from torquerig.mechanisms.stribeck_friction import StribeckFriction as StribeckFriction
     from torquerig.mechanisms.tooth_mesh import ToothMesh as ToothMesh
     from torquerig.mechanisms.torque_ripple import TorqueRipple as TorqueRipple

@@ -3,6 +3,7 @@
 In the measuring body
     characteristic   gain error, nonlinearity      hysteresis   the reading lags behind a torque that turns back
     scale_and_zero   true scale, constant zero
+    speed_course     torque that follows the speed by no law
     crosstalk        bending read as torque               ringing      impacts of a bearing
 In the electronics
     amplifier        the analog low-pass                  tone         mains hum, pulse-width modulation

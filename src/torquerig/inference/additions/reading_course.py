@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from math import log
 
 import numpy as np
-from numpy.typing import NDArray
 
 from torquerig import mechanisms
 from torquerig.inference.addition import Addition, free_name
 from torquerig.inference.context import Context
 from torquerig.inference.knobs import Knob
+from torquerig.inference.mean_torques import MeanTorques
 from torquerig.sensor_stages.course import Course, Shape
-
-Floats = NDArray[np.float64]
 
 _LOG_ODDS = -3.0  # of a course of zero or gain, whatever its shape and moment; as of a drift of the sensor
 _STEPS = 24  # moments of a recording that are compared: a moment is then within 2 % of its length
@@ -30,12 +27,11 @@ _MOST = 3.0  # [standard deviations] at which a fit begins at most
 
 def propose(context: Context) -> Iterator[Addition]:
     """Yield steps, ramps and settlings, each at the moments at which it explains most of the mean torques."""
-    levels = _Levels.of(context)
+    torques = MeanTorques.of(context)
     unit = {"zero": _ZERO * context.signal / context.unit, "gain": _GAIN}
     for field, shapes in _SHAPES.items():
         for shape in shapes:
-            ranked = sorted(((*levels.explained(shape, at, field), at) for at in _moments(shape)), reverse=True)
-            for gain, size, at in ranked[:_BEST] if levels.rest.size else ():
+            for gain, size, at in _ranked(torques, shape, field)[:_BEST]:
                 if gain > 0:
                     yield _course(context, field, shape, at=at, size=size, unit=unit[field])
 
@@ -58,43 +54,12 @@ def _moments(shape: Shape) -> tuple[float, ...]:
     return _CONSTANTS if shape == "settling" else tuple(step / _STEPS for step in range(1, _STEPS))
 
 
-@dataclass(frozen=True)
-class _Levels:
-    """Mean torques of all runs: shares of the recording between which they are, residuals, expected ones, weights."""
-
-    low: Floats
-    high: Floats
-    rest: Floats
-    expected: Floats
-    weight: Floats
-    sign: Floats
-
-    @staticmethod
-    def of(context: Context) -> _Levels:
-        rows = []
-        for seen, model in zip(context.data.seen, context.fit.expected, strict=True):
-            off = context.fit.off
-            largest = float(np.abs(seen.level).max(initial=0.0))
-            variance = np.diag(model.level_covariance) + (off.level_floor * largest) ** 2
-            variance = variance + (off.level * model.level) ** 2 + (model.level_rate * seen.level_time_error) ** 2
-            shares = seen.parts / seen.run.torque.size
-            rows.append((shares[:, 0], shares[:, 1], seen.level - model.level, model.level,
-                         1 / np.maximum(variance, 1e-300), np.full(seen.level.size, np.sign(seen.unit))))  # fmt: skip
-        return _Levels(*(np.concatenate(columns) for columns in zip(*rows, strict=True)))
-
-    def explained(self, shape: Shape, at: float, field: str) -> tuple[float, float]:
-        """Return by how much a course lowers the weighted sum of squares, and its size [N m] or [1].
-
-        A constant zero and a constant scale are taken out of both before.
-        """
-        course = Course(shape=shape, at=at).mean(self.low, self.high)
-        column = course * (self.sign if field == "zero" else self.expected)
-        root = np.sqrt(self.weight)
-        known, _ = np.linalg.qr(np.stack([root, root * self.expected], axis=1))
-        column, rest = root * column, root * self.rest
-        column, rest = column - known @ (known.T @ column), rest - known @ (known.T @ rest)
-        square = float(column @ column)
-        if square <= 1e-12 * float(np.square(root * course).sum()):
-            return 0.0, 0.0
-        along = float(column @ rest)
-        return along**2 / square, along / square
+def _ranked(torques: MeanTorques, shape: Shape, field: str) -> list[tuple[float, float, float]]:
+    """Return gain [nats], size [N m] or [1] and moment of the courses of a shape, the best first."""
+    moments = _moments(shape)
+    if not torques.rest.size:
+        return []
+    unit = torques.sign if field == "zero" else torques.expected
+    courses = [unit * Course(shape=shape, at=at).mean(torques.low, torques.high) for at in moments]
+    gains, sizes = torques.explained(np.stack(courses, axis=1))
+    return sorted(zip(gains.tolist(), sizes.tolist(), moments, strict=True), reverse=True)

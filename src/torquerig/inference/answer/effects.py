@@ -15,6 +15,7 @@ from torquerig.inference.answer.sizes import size
 from torquerig.inference.answer.tried import alternatives_of
 from torquerig.inference.answer.verdict import is_minor
 from torquerig.inference.engine import Outcome
+from torquerig.inference.shafts import shafts_of
 from torquerig.rig.assembly import Part
 from torquerig.rig.reading_place import effort_unit
 
@@ -112,13 +113,15 @@ def _size_interval(outcome: Outcome, each: Addition) -> tuple[float, float]:
 
 
 def _axis(outcome: Outcome, each: Addition) -> tuple[str, float]:
-    """Return the axis of a nameless effect and where on it; that of a course is the moment in the longest run."""
+    """Return the axis of a nameless effect and where on it; of a course a moment of the longest run or a speed."""
     if each.places:
         place = each.places[0]
         return ("motor_shaft" if place.domain == "order" else "Hz"), place.at
     part = outcome.completed.part(each.parts[0].name)
     if isinstance(part, mechanisms.ReadingCourse):
         return "s", part.at * max(run.recording.duration for run in outcome.runs)
+    if isinstance(part, mechanisms.SpeedCourse):
+        return "rpm", part.at * abs(shafts_of(outcome.completed)[-1].turns) * 30 / pi
     if isinstance(part, mechanisms.NoiseHump) and each.kind == "level_course":  # slow noise: its correlation time
         return "s", 1 / (2 * pi * part.frequency)
     return "Hz", float(getattr(part, "frequency", 0.0))

@@ -24,6 +24,7 @@ from torquerig.linear_twin.twin import Twin
 from torquerig.rig.assembly import Rig
 from torquerig.sensor_stages.drift import Drift
 from torquerig.sensor_stages.scale_and_zero import ScaleAndZero
+from torquerig.sensor_stages.speed_course import SpeedCourse
 
 Floats = NDArray[np.float64]
 
@@ -214,7 +215,7 @@ def _load_at_each_speed(rig: Rig, seen: RunFeatures) -> Floats:
 
 
 def _zero(rig: Rig, seen: RunFeatures) -> Floats:
-    """Return the zero of the sensor in each part [N m], shape (levels,)."""
+    """Return what is added to the torque in each part [N m], shape (levels,): zero, drift, course over the speed."""
     zero, unit = np.zeros(seen.level.size), seen.unit
     time = 0.5 * seen.parts.sum(axis=1) / seen.run.rate
     for stage in rig.stages():
@@ -222,4 +223,6 @@ def _zero(rig: Rig, seen: RunFeatures) -> Floats:
             zero += stage.zero
         elif isinstance(stage, Drift):
             zero += unit * stage.course(time, seen.run.recording.duration)
+        elif isinstance(stage, SpeedCourse):
+            zero += stage.torque(seen.level_speed).mean(axis=1)
     return zero
