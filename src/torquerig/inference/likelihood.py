@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from scipy.linalg import cholesky, solve_triangular
 from scipy.special import digamma, polygamma
 
+from torquerig.inference.features.common_changes import common_changes
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.prediction.expected_run import ExpectedRun
 
@@ -69,9 +70,9 @@ class Residuals:
         Residual and its standard deviation: of lines and bands of the logarithm of the power [1], of levels of the
         whitened torque, relative to the largest level of the run [1].
     kind : ndarray of int, shape (features,)
-        ``LINE``, ``BAND`` or ``LEVEL``.
+        ``LINE``, ``BAND``, ``LEVEL`` or ``COMMON`` (what all lines have in common from block to block).
     at : ndarray, shape (features,)
-        Index of place, band or part.
+        Index of place, band, part or contrast of blocks.
     segment : ndarray, shape (features,)
         Index of the segment; -1 for levels.
     """
@@ -88,7 +89,7 @@ class Residuals:
         return np.asarray(self.value / self.sd)
 
 
-LINE, BAND, LEVEL = 0, 1, 2
+LINE, BAND, LEVEL, COMMON = 0, 1, 2, 3
 KINDS_OF_SIZES = {
     "line": (LINE,), "band": (BAND,), "mode": (LINE, BAND), "modulation": (LINE, BAND), "level": (LEVEL,),
     "level_floor": (LEVEL,),
@@ -209,6 +210,19 @@ def _levels(seen: RunFeatures, model: ExpectedRun, off: Discrepancy) -> Residual
     return Residuals(white * sd, sd, np.full(seen.level.size, LEVEL, dtype=np.int8), at, none)
 
 
+def _common(seen: RunFeatures, model: ExpectedRun, _: Discrepancy) -> Residuals:
+    """Return what the gain of the reading leaves of the changes that all lines have in common."""
+    parts = [_of(np.zeros(0), np.zeros(0), COMMON, np.zeros((0, 0), dtype=np.bool_))]
+    for each in seen.kept.get("common changes", None, lambda: common_changes(seen)):
+        gain = each.contrasts @ model.block_gain[each.segment] if model.block_gain else 0.0
+        count = each.value.size
+        parts.append(Residuals(
+            each.value - gain, np.full(count, each.sd), np.full(count, COMMON, dtype=np.int8), np.arange(count),
+            np.full(count, each.segment),
+        ))  # fmt: skip
+    return _joined(parts)
+
+
 def _shown(values: Floats | float, shown: NDArray[np.bool_]) -> Floats:
     return np.asarray(np.broadcast_to(values, shown.shape)[shown])
 
@@ -225,4 +239,4 @@ def _joined(parts: Sequence[Residuals]) -> Residuals:
     ))  # fmt: skip
 
 
-_OF_KIND = {LINE: _lines, BAND: _bands, LEVEL: _levels}
+_OF_KIND = {LINE: _lines, BAND: _bands, LEVEL: _levels, COMMON: _common}

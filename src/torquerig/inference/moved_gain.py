@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.inference.features.run_features import RunFeatures
-from torquerig.inference.likelihood import BAND, LEVEL, LINE, Discrepancy, Residuals, residuals_of
+from torquerig.inference.likelihood import BAND, COMMON, LEVEL, LINE, Discrepancy, Residuals, residuals_of
 from torquerig.inference.load_spectrum import GainShapes, with_gains
 from torquerig.inference.prediction.expected_run import ExpectedRun
 
@@ -30,5 +30,6 @@ def values_with_moved_gain(
         return before.value
     louder = with_gains(model, shape, gains)
     values = [residuals_of(seen, louder, off, kind).value for kind in (LINE, BAND)]
-    levels = before.value[before.kind == LEVEL]
-    return np.concatenate([*values, residuals_of(seen, louder, off, LEVEL).value if shape.levels[moved] else levels])
+    levels, common = (before.value[before.kind == kind] for kind in (LEVEL, COMMON))
+    levels = residuals_of(seen, louder, off, LEVEL).value if shape.levels[moved] else levels
+    return np.concatenate([*values, levels, common])

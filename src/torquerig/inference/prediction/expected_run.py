@@ -69,6 +69,8 @@ class ExpectedRun:
         part [1].
     load_clumping : float
         Variance of the logarithm of a load's power in a time T, common to all bands, times T [s].
+    block_gain : tuple of ndarray, shape (blocks,) each
+        Logarithm of the square of the gain of the reading in each block of each segment [1]; none where it is steady.
     line_error : ndarray, shape (segments, places)
         Standard deviation of the logarithm of ``line_power`` that simulated replicates leave [1].
     density_error : ndarray, shape (segments, bands)
@@ -91,6 +93,7 @@ class ExpectedRun:
     near_bands: Floats
     line_beat: Floats
     load_clumping: float = 0.0
+    block_gain: tuple[Floats, ...] = ()
     line_error: Floats | float = 0.0
     density_error: Floats | float = 0.0
     level_error: Floats | float = 0.0
@@ -160,7 +163,7 @@ def _as_read(expected: ExpectedRun, read: Courses, noise: Floats, moving: Floats
         level=read.gain * expected.level + read.zero, level_covariance=both * expected.level_covariance,
         slow_load=both * expected.slow_load, level_rate=np.abs(read.gain) * expected.level_rate,
         level_range=np.abs(read.gain) * expected.level_range, near_lines=power * expected.near_lines,
-        near_bands=power * expected.near_bands,
+        near_bands=power * expected.near_bands, block_gain=read.blocks,
     )  # fmt: skip
 
 

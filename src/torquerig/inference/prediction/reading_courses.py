@@ -17,6 +17,7 @@ from torquerig.sensor_stages.course import Course
 
 Floats = NDArray[np.float64]
 
+_NOTHING = 1e-300
 _SLOWEST = 1e-3  # [1] of the first step of the grid: no noise that moves mean torques is slower
 
 
@@ -30,11 +31,14 @@ class Courses:
         Mean of the gain [1] and of the added zero [N m] in each part.
     power : ndarray, shape (segments,)
         Mean of the square of the gain in the blocks of each segment [1].
+    blocks : tuple of ndarray, shape (blocks,) each
+        Logarithm of the mean of the square of the gain in each block of each segment [1].
     """
 
     gain: Floats
     zero: Floats
     power: Floats
+    blocks: tuple[Floats, ...]
 
 
 def courses(rig: Rig, seen: RunFeatures) -> Courses | None:
@@ -45,20 +49,22 @@ def courses(rig: Rig, seen: RunFeatures) -> Courses | None:
     size = seen.run.torque.size
     low, high = (seen.parts / size).T
     gain, zero = np.ones(low.size), np.zeros(low.size)
-    power = np.ones(len(seen.segments))
+    blocks = [np.zeros(len(segment.blocks)) for segment in seen.segments]
     for stage in stages:
         shown = stage.mean(low, high)
         zero = zero * (1 + stage.gain * shown) + seen.unit * stage.zero * shown
         gain *= 1 + stage.gain * shown
-        power *= [_mean_square(stage, [(block.start / size, block.stop / size) for block in segment.blocks])
-                  for segment in seen.segments]  # fmt: skip
-    return Courses(gain, zero, power)
+        blocks = [own + _log_square(stage, [(block.start / size, block.stop / size) for block in segment.blocks])
+                  for own, segment in zip(blocks, seen.segments, strict=True)]  # fmt: skip
+    power = np.array([float(np.mean(np.exp(own))) for own in blocks])
+    return Courses(gain, zero, power, tuple(blocks))
 
 
-def _mean_square(stage: Course, blocks: list[tuple[float, float]]) -> float:
-    """Return the mean of the square of a gain in blocks of a run, by thirds of each [1]."""
+def _log_square(stage: Course, blocks: list[tuple[float, float]]) -> Floats:
+    """Return the logarithm of the mean of the square of a gain in each block of a run, by thirds [1]."""
     edges = np.concatenate([np.linspace(low, high, 4) for low, high in blocks]).reshape(-1, 4)
-    return float(np.mean((1 + stage.gain * stage.mean(edges[:, :-1], edges[:, 1:])) ** 2))
+    square = np.square(1 + stage.gain * stage.mean(edges[:, :-1], edges[:, 1:]))
+    return np.asarray(np.log(np.maximum(square.mean(axis=1), _NOTHING)))
 
 
 def course_density(rig: Rig, seen: RunFeatures, level: Floats) -> Floats:
