@@ -116,6 +116,14 @@ def test_a_stranger_is_located_in_its_domain_and_at_its_place(more, right):
     assert one.modelled  # 5.0 to 1.2: 95 % of the excess over 1
 
 
+@pytest.mark.parametrize(("axis", "right"), [("rpm", True), ("s", False)])
+def test_a_course_over_the_speed_is_in_the_domain_of_speed(axis, right):
+    kink = {**LINE, "places": [{"domain": "speed", "axis": "rpm", "at": 30.0, "width": 0.2}]}
+    course = {"unnamed": [{"kind": "level_course", "axis": axis, "at": 29.0}]}
+    truth = answer(kink, verdict="unexplained", name="STRANGERS")
+    assert judged("a", truth, said("unexplained", **course)).located is right
+
+
 def test_a_model_that_keeps_the_excess_is_none():
     truth = answer(LINE, verdict="unexplained")
     same = {"before": {"heldout_misfit": 5.0}, "after": {"heldout_misfit": 4.0}}
