@@ -96,8 +96,9 @@ def line_powers(run: MeasuredRun, samples: slice, places: Sequence[Place]) -> Li
         kept = [row for row, index in enumerate(shown) if index not in set(smeared)]
         sharp = Waves([places[shown[row]] for row in kept], run.angle[samples], time)
         rest = torque - torque.mean() - sharp.summed(found.amplitude[kept])
+        phases = [places[index].at * run.angle[samples] for index in smeared]
         _sum_smeared(power, bandwidth, half_width, rest, rate=run.rate, frequency=frequency, lines=smeared,
-                     smearing=smearing, phases=[places[index].at * run.angle[samples] for index in smeared])  # fmt: skip
+                     smearing=smearing, phases=phases)  # fmt: skip
     return LinePowers(power, bandwidth, half_width, np.maximum(leakage, half_width), residual)
 
 
@@ -142,9 +143,9 @@ def _sum_smeared(
 ) -> None:  # fmt: skip
     """Put the power of lines that are wider than a bin into the three rows; neighbours share the bins between them.
 
-    Each line is brought to rest by its phase, which sweeps with the shaft (order tracking by demodulation: Vold &
-    Leuridan 1993, SAE 931288). What the angle does not follow of it then lies within ``smearing`` of its frequency. ``phases`` are
-    those of the lines at each sample [rad].
+    Each line is brought to rest by its phase, which sweeps with the shaft (order tracking: Brandt 2011, Noise and
+    Vibration Analysis, 12). What the angle does not follow of it then lies within ``smearing`` of its frequency.
+    ``phases`` are those of the lines at each sample [rad].
     """
     window = hann_window(rest.size)
     scale = 2 / ((window**2).sum() * rate)
