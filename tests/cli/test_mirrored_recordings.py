@@ -7,11 +7,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from torquerig.catalog.shipped import shipped_scenarios
+from torquerig.catalog.reading import load_catalog
+from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.cli import main
+from torquerig.document import read_document
 from torquerig.recordings.files import read_recording, write_recording
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
+from torquerig.reporting.diagnosis.run_check import run_check
+from torquerig.scenario.reading import read_scenario
 
 RATE, SECONDS, TOP, RATIO = 1000.0, 6.0, 20 * pi, 5.0
 TIME = np.arange(int(RATE * SECONDS)) / RATE
@@ -66,7 +70,11 @@ def recorded(profile, source, *, torque=1, angle=1, speed=1, unit="N*m", scale=1
 def told(capsys, path: Path, *arguments: str) -> list[str]:
     """Return the words that a command prints, without the signs of its numbers and the lines of its tables."""
     main((arguments[0], str(path), *arguments[1:]))
-    printed = capsys.readouterr().out
+    return words_of(capsys.readouterr().out)
+
+
+def words_of(printed: str) -> list[str]:
+    """Return the words of a text, without the signs of its numbers and the lines of its tables."""
     return re.sub(r"-(?=[\d.])|(?m:^-+$)", "", printed).split()
 
 
@@ -196,13 +204,15 @@ def test_a_simulated_mirrored_rig_reads_the_mirrored_load(tmp_path, capsys):
 
 
 @pytest.mark.parametrize("profile", ["steady", "reversal"])
-def test_a_check_before_a_diagnosis_says_the_same(tmp_path, monkeypatch, capsys, profile):
-    monkeypatch.chdir(tmp_path)
-    path, scenario = tmp_path / "run.parquet", str(shipped_scenarios() / "wear_rig.yaml")
+def test_a_check_before_a_diagnosis_says_the_same(tmp_path, profile):
+    path, scenario = (
+        tmp_path / "run.parquet",
+        read_scenario(read_document(shipped_scenarios() / "wear_rig.yaml"), load_catalog(shipped_folder()), seed=0),
+    )
     said = {}
     for name, changed in {"plain": {}, **VARIANTS}.items():
         write_recording(recorded(profile, "encoder", **changed), path, overwrite=True)
-        said[name] = told(capsys, path, "diagnose", "--scenario", scenario, "--check")
+        said[name] = words_of(run_check(scenario, [read_recording(path)]).text())
     for name, words in said.items():
         assert words == said["plain"], name
 

@@ -6,7 +6,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import yaml
-from click.testing import CliRunner
 
 from proof.fleet.design import DRIVES, LOADS, MOTORS
 from proof.fleet.draw import draw_case, draw_kinds
@@ -33,9 +32,11 @@ from proof.fleet.rig import draw_rig
 from proof.fleet.stated import Stated
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder
-from torquerig.cli.diagnose import command as diagnose
 from torquerig.document import read_document
+from torquerig.recordings.files import read_recording
+from torquerig.reporting.diagnosis.run_check import run_check
 from torquerig.scenario.reading import read_scenario
+from torquerig.scenario.recorded.as_compared import as_compared
 
 SHORT = 2.2  # [s] of a run; diagnose refuses less than 2 s
 STEP = 1e-6  # of a coarse converter; below half of the fleet's finest step it changes no code
@@ -85,10 +86,11 @@ def test_recordings_pass_the_check_of_diagnose(drive, tmp_path):
     rig = draw_rig("rig", (6, DRIVES.index(drive)), drives=(drive,))
     rig = replace(rig, runs=tuple(replace(run, duration=SHORT) for run in rig.runs))
     write_recordings(rig, tmp_path)
-    tables = sorted(str(path) for path in tmp_path.glob("run*.parquet"))
-    said = CliRunner().invoke(diagnose, [*tables, "--scenario", str(tmp_path / "scenario.yaml"), "--check"])
-    assert said.exit_code == 0, said.output + str(said.exception)
-    assert "scenario and recordings match" in said.output
+    runs = [read_recording(path) for path in sorted(tmp_path.glob("run*.parquet"))]
+    scenario = read_scenario(read_document(tmp_path / "scenario.yaml"), load_catalog(shipped_folder()), seed=0)
+    compared = as_compared(scenario, runs)
+    assert "scenario and recordings match" in run_check(scenario, runs).text()
+    assert [one.name for one in compared.recordings] == [one.name for one in runs]
 
 
 def test_the_same_seed_gives_the_same_bytes(geared, tmp_path):

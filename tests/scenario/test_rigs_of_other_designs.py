@@ -15,6 +15,8 @@ from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.cli import main
 from torquerig.document import read_document
+from torquerig.recordings.files import read_recording
+from torquerig.reporting.diagnosis.run_check import run_check
 from torquerig.rig.steady import steady_torque
 from torquerig.scenario.kinematics import kinematics_of, ratio_text, torque_gain
 from torquerig.scenario.model import Scenario
@@ -101,7 +103,7 @@ def test_the_mixer_has_the_meshes_of_both_stages() -> None:
 def test_diagnose_reads_its_recordings(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     scenario, recording = shipped_scenarios() / f"{name}.yaml", tmp_path / "run.parquet"
     said("simulate", scenario, "--duration", "2 s", "--out", recording, capsys=capsys)
-    text = said("diagnose", recording, "--scenario", scenario, "--check", capsys=capsys)
+    text = run_check(made(name), [read_recording(recording)]).text()
     assert f" {RATES[name]:.0f} " in text
     assert f" {UNITS.get(name, 'N*m')} " in text
     assert "scenario and recordings match" in text
