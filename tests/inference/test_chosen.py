@@ -22,6 +22,11 @@ def model(evidence, *additions):
     return Model(SimpleNamespace(log_evidence=evidence, off=Discrepancy(), unseen=0.0), additions, ())
 
 
+def _finished(fit, _):
+    fit.is_finished = True
+    return fit
+
+
 @pytest.fixture
 def round_of(monkeypatch):
     """Return a round of the search over models that are fitted already, each with its held-out log-likelihood."""
@@ -32,6 +37,7 @@ def round_of(monkeypatch):
         for made, unseen in fits:
             made.fit.unseen = unseen
         monkeypatch.setattr(search, "held_out_density", lambda fit, _: fit.unseen)
+        monkeypatch.setattr(search, "finished", _finished)
         return search._extended(model(0.0), NO_DATA, NO_DATA)[0]
 
     return extended
@@ -49,3 +55,15 @@ def test_held_out_data_count_as_fitted_ones(round_of):
 def test_what_fails_on_held_out_data_is_not_taken(round_of):
     best = round_of((model(40.0, HARMONIC), 1.0), (model(14.3, FUNDAMENTAL), 20.0))
     assert best.additions == (FUNDAMENTAL,)
+
+
+def test_only_fits_that_may_win_are_finished(round_of):
+    best, near, far, worse = (model(gain, HARMONIC) for gain in (30.0, 27.0, 20.0, -4.0))
+    round_of((worse, 60.0), (far, 20.0), (near, 20.0), (best, 20.0))
+    assert [hasattr(one.fit, "is_finished") for one in (best, near, far, worse)] == [True, True, False, False]
+
+
+def test_a_fit_is_finished_where_the_best_one_fails_on_held_out_data(round_of):
+    failing, other = model(60.0, HARMONIC), model(14.3, FUNDAMENTAL)
+    assert round_of((failing, 1.0), (other, 20.0)).additions == (FUNDAMENTAL,)
+    assert other.fit.is_finished

@@ -8,7 +8,7 @@ import pytest
 from tests.inference.drawn_runs import drawn_run, ramp, steady
 from tests.inference.pump_bench import pump_scenario
 from torquerig.inference.features.run_features import run_features
-from torquerig.inference.fit import Data, fitted
+from torquerig.inference.fit import Data, sketched
 from torquerig.inference.knobs import with_free_load
 from torquerig.inference.parameters import parameters
 from torquerig.inference.places import order
@@ -24,9 +24,9 @@ def case(tmp_path):
 
 
 def test_two_processes_find_the_numbers_of_one(case):
-    alone = fitted(*case, iterations=2)
+    alone = sketched(*case, iterations=2)
     with parallel_processes(2):
-        shared = fitted(*case, iterations=2)
+        shared = sketched(*case, iterations=2)
     assert len(alone.knobs) >= 12  # fewer are not worth a second process
     assert shared.log_evidence == alone.log_evidence
     assert np.array_equal(shared.positions, alone.positions)
@@ -34,7 +34,7 @@ def test_two_processes_find_the_numbers_of_one(case):
 
 
 def test_kept_answers_do_not_change_a_fit(case):
-    first = fitted(*case, iterations=2)
-    again = fitted(*case, iterations=2)
+    first = sketched(*case, iterations=2)
+    again = sketched(*case, iterations=2)
     assert again.log_evidence == first.log_evidence
     assert np.array_equal(again.jacobian, first.jacobian)

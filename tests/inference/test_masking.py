@@ -12,7 +12,7 @@ from torquerig.inference.additions.bearing_defect import refined
 from torquerig.inference.context import lacks
 from torquerig.inference.discrepancy import MEDIAN, SPREAD, estimated
 from torquerig.inference.features.run_features import run_features
-from torquerig.inference.fit import Data, fitted
+from torquerig.inference.fit import Data, sketched
 from torquerig.inference.places import order
 from torquerig.inference.prediction.expected_run import expected_run
 
@@ -41,7 +41,7 @@ def test_a_line_that_a_model_makes_is_not_lacking(rig, size, is_lacking):
     run = drawn_run(2, speed=steady(1000), orders={9.0: 0.5}, noise=0.01)
     made = mechanisms.TorqueRipple(name="x", at="motor", group="mechanical", amplitudes={9.0: size * 0.5 / gain})
     data = Data.of([run_features(run, [place])])
-    fit = fitted(rig + made, (), data, iterations=0)
+    fit = sketched(rig + made, (), data, iterations=0)
     assert lacks(fit, data, place) == is_lacking
 
 

@@ -8,7 +8,7 @@ from tests.inference.drawn_runs import drawn_run, steady
 from tests.inference.pump_bench import pump_scenario
 from torquerig import mechanisms
 from torquerig.inference.features.run_features import run_features
-from torquerig.inference.fit import Data, fitted
+from torquerig.inference.fit import Data, fitted, sketched
 from torquerig.inference.knobs import Knob, with_free_load
 from torquerig.inference.parameters import parameters
 from torquerig.inference.places import order
@@ -29,7 +29,8 @@ def test_a_number_held_at_its_stated_value_moves_the_others_there(case, name):
     assert name in {knob.name for knob in knobs}
     held = refitted(fitted(rig, knobs, data), data, keeps=lambda knob: knob.name != name)
     alone = fitted(rig, tuple(knob for knob in knobs if knob.name != name), data)
-    assert held.log_posterior > alone.log_posterior - 0.5  # the start is nearer to the maximum
+    # no model explains these runs well, so that two starts end up to 1 nat apart; a wrong start ends 36 nats lower
+    assert held.log_posterior > alone.log_posterior - 1.5
     part, field = name.split(".")
     assert getattr(held.fitted_rig.part(part), field) == getattr(rig.part(part), field)
 
@@ -45,5 +46,5 @@ def test_a_part_that_is_left_out_leaves_with_its_parameters(case):
 
 def test_a_part_that_others_need_cannot_be_left_out(case):
     rig, knobs, data = case
-    full = fitted(rig, knobs, data, iterations=1)
+    full = sketched(rig, knobs, data, iterations=1)
     assert refitted(full, data, keeps=lambda knob: knob.part != "pump", without=frozenset({"pump"})) is None

@@ -129,7 +129,9 @@ def diagnose(
     places = [*ready.known, *(line.place for line in lines)]
     if lines:
         data = features_of(runs, places)
-        nominal = fitted(nominal.rig, nominal.knobs, data, start=nominal.positions, gains=nominal.gains)
+        nominal = fitted(
+            nominal.rig, nominal.knobs, data, start=nominal.positions, gains=nominal.gains, off=nominal.off
+        )
     held = features_of(runs, places, held_out=True)
     model = searched(nominal, data, held, lines, progress=progress) if ready.judged else Model(nominal, (), ())
     model = replace(model, additions=(*ready.samples, *model.additions))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +17,7 @@ from torquerig.inference.context import Context, lacks
 from torquerig.inference.discrepancy import log_prior
 from torquerig.inference.dropped import without_needless
 from torquerig.inference.features.line_search import FoundLine
-from torquerig.inference.fit import Data, Fit, all_residuals, fitted, hessian_of
+from torquerig.inference.fit import Data, Fit, all_residuals, finished, hessian_of, sketched
 from torquerig.inference.held_out import held_out_density
 from torquerig.inference.knobs import turned
 from torquerig.inference.likelihood import log_density_of, weights
@@ -37,6 +38,7 @@ _NUMBERS = 2  # of these that are numbers, where others wait: what is promised o
 LEAST_GAIN = 8.0  # [nats] of posterior odds by which an addition must win, 3000 to 1: the library is never complete
 LEAST_HELD_OUT = 3.0  # [nats] by which it must make the held-out data more likely
 LEAST_OTHER, LEAST_HELD_OUT_OTHER = 3.0, 1.0  # [nats] the same of an effect without a name; of a number only the first
+_SKETCHED = 5.0  # [nats] by which the odds of a sketched fit may be off: of six none was by more than 1
 _PER_PARAMETER = 1.5  # [nats] that the freedom of a parameter costs before it is fitted, for the screening
 
 
@@ -73,30 +75,61 @@ def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple
     tried = tuple((each, gain) for gain, _, each in screened)
     slack = -log_prior(model.fit.off)  # that an addition gets back when it makes the discrepancy smaller
     fits = _fitted(model, data, [(each, start) for gain, start, each in screened if gain > -slack])
-    before = held_out_density(model.fit, held)
-    unseen = {id(one): held_out_density(one.fit, held) for one in fits}
-    better = [one for one in fits if one.log_odds - model.log_odds > LEAST_OTHER]
-    winners = [
-        one for one in better
-        if wins(
-            one.additions[-1], odds=one.log_odds - model.log_odds,
-            held_out=unseen[id(one)] - _compared(model.fit, one.additions[-1], data, held, before),
-        )
-    ]  # fmt: skip
-    if not winners:
+    best, others = _best([_Candidate.of(one, held) for one in fits], model, data, held)
+    if best is None:
         return None, tried
-
-    def odds(one: Model) -> float:
-        """Return the posterior log-odds given fitted and held-out data (chain rule of probability)."""
-        return one.log_odds + unseen[id(one)]
-
-    best = max(winners, key=odds)
-    added = best.additions[-1]
+    added = best.model.additions[-1]
     # one of better odds failed on the held-out data and is no alternative
-    behind = [one for one in fits if one is not best and odds(one) <= odds(best)
-              and competes(added, one.additions[-1], data)]  # fmt: skip
-    others = [(added, one.additions[-1], odds(best) - odds(one)) for one in behind]
-    return replace(best, alternatives=(*model.alternatives, *others)), tried
+    behind = [(added, one.added, best.odds - one.odds) for one in others
+              if one.odds <= best.odds and competes(added, one.added, data)]  # fmt: skip
+    return replace(best.model, alternatives=(*model.alternatives, *behind)), tried
+
+
+class _Candidate(NamedTuple):
+    """A model with one more addition, and the log-likelihood of the held-out data under it [nats]."""
+
+    model: Model
+    held_out: float
+
+    @staticmethod
+    def of(model: Model, held: Data) -> _Candidate:
+        return _Candidate(model, held_out_density(model.fit, held))
+
+    @property
+    def added(self) -> Addition:
+        return self.model.additions[-1]
+
+    @property
+    def odds(self) -> float:
+        """Posterior log-odds given fitted and held-out data (chain rule of probability)."""
+        return self.model.log_odds + self.held_out
+
+
+def _best(
+    sketches: Sequence[_Candidate], model: Model, data: Data, held: Data
+) -> tuple[_Candidate | None, list[_Candidate]]:  # fmt: skip
+    """Return the winner of the largest odds, None where none wins, and the others.
+
+    In the order of their odds, the fits of those are finished that may win.
+    """
+    before = held_out_density(model.fit, held)
+    best, others = None, list[_Candidate]()
+    for sketch in sorted(sketches, key=lambda one: -one.odds):
+        gain = sketch.model.log_odds - model.log_odds
+        if gain <= LEAST_OTHER - _SKETCHED or (best is not None and sketch.odds <= best.odds - _SKETCHED):
+            others.append(sketch)
+            continue
+        one = _Candidate.of(replace(sketch.model, fit=finished(sketch.model.fit, data)), held)
+        gain = one.model.log_odds - model.log_odds
+        is_winner = gain > LEAST_OTHER and wins(
+            one.added, odds=gain, held_out=one.held_out - _compared(model.fit, one.added, data, held, before)
+        )
+        if is_winner and (best is None or one.odds > best.odds):
+            others += [] if best is None else [best]
+            best = one
+        else:
+            others.append(one)
+    return best, others
 
 
 def wins(added: Addition, *, odds: float, held_out: float) -> bool:
@@ -216,7 +249,7 @@ def _together(model: Model, data: Data, each: Addition, start: tuple[float, ...]
     new = np.full((fit.value.size, len(each.knobs)), np.nan)
     jacobian = np.concatenate([fit.jacobian[:, kept], new, fit.jacobian[:, len(fit.knobs) :]], axis=1)
     try:
-        found = fitted(
+        found = sketched(
             each.added_to(fit.rig), (*(fit.knobs[at] for at in kept), *each.knobs), data, gains=fit.gains, off=fit.off,
             start=np.concatenate([fit.positions[kept], start]), jacobian=jacobian, nominal=fit.nominal,
         )  # fmt: skip

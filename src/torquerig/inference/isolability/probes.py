@@ -12,7 +12,7 @@ from torquerig.inference.additions import proposals
 from torquerig.inference.context import Context
 from torquerig.inference.engine import features_of
 from torquerig.inference.features.line_search import FoundLine
-from torquerig.inference.fit import Data, Fit, fitted
+from torquerig.inference.fit import Data, Fit, sketched
 from torquerig.inference.measured_run import MeasuredRun
 from torquerig.inference.places import RESOLVED_WELL, Place, frequency, order
 from torquerig.inference.shafts import shafts_of
@@ -32,7 +32,7 @@ def probed(fit: Fit, runs: Sequence[MeasuredRun], known: Sequence[Place]) -> tup
     """
     places = tuple(_free(_supposed(fit.nominal), runs, known))
     data: Data = features_of(runs, [*known, *places])
-    again = fitted(
+    again = sketched(
         fit.rig, fit.knobs, data, start=fit.positions, gains=fit.gains, off=fit.off, nominal=fit.nominal, iterations=0
     )
     return Context(again, data, ()), places
