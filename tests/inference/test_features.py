@@ -159,3 +159,10 @@ def test_the_count_of_a_band_is_the_inverse_of_its_relative_variance():
     ratio = power.var(axis=0) / power.mean(axis=0) ** 2 * drawn[0].count
     # a variance of 600 values scatters by 6 %, its mean over neighbouring bands by some 2 %
     assert np.mean(ratio[power.mean(axis=0) > 0]) == pytest.approx(1.0, abs=0.08)
+
+
+def test_a_strong_tone_that_was_found_not_quite_leaves_nothing_in_the_bands():
+    run = drawn_run(11, speed=steady(1000), tones={60.0: 30.0}, noise=NOISE)
+    bands = run_features(run, [frequency(60.03)]).bands  # 0.06 bins of a block off
+    beside = (bands.high > 50) & (bands.low < 75) & np.isfinite(bands.power)
+    assert (bands.power[beside] < 2 * NOISE**2 / (0.5 * RATE)).all()

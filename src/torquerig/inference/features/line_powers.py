@@ -85,7 +85,8 @@ def line_powers(run: MeasuredRun, samples: slice, places: Sequence[Place]) -> Li
     bandwidth[shown] = 2 * HANN_NOISE / duration * found.widening
     half_width[shown] = _RESOLVED / duration
     frequency = line_frequencies(places, float(speed.mean()))[0]
-    left = _LEFT if run.has_encoder else 1.0
+    follows = np.array([places[index].domain == "order" for index in shown], dtype=bool)
+    left = np.where(follows & run.has_encoder, _LEFT, 1.0)
     leakage[shown] = _leakage(found.rest, power[shown], frequency[shown], rate=run.rate, left=left)
     residual = found.rest + found.level + found.slope * np.linspace(-1.0, 1.0, torque.size)
     smeared = [
@@ -118,11 +119,12 @@ def _continued(rest: Floats, lost: NDArray[np.bool_]) -> Floats:
     return answer
 
 
-def _leakage(rest: Floats, power: Floats, frequency: Floats, *, rate: float, left: float) -> Floats:
+def _leakage(rest: Floats, power: Floats, frequency: Floats, *, rate: float, left: Floats) -> Floats:
     """Return within how many hertz of each line what a regression leaves of it exceeds the noise, shape (lines,).
 
     The power next to a line under a Hann window falls with the sixth power of the distance in bins; ``left`` is the
-    share of the line that the regression leaves (an angle that was estimated does not follow the shaft exactly).
+    share of each line that the regression leaves, shape (lines,): an angle that was estimated does not follow the shaft
+    exactly, and the frequency of a tone is found to some hundredths of a bin and wanders.
     """
     step = rate / rest.size
     window = hann_window(rest.size)
@@ -133,7 +135,7 @@ def _leakage(rest: Floats, power: Floats, frequency: Floats, *, rate: float, lef
         around = density[max(middle - _FAR, 1) : middle + _FAR + 1]
         noise = 2 * float(np.median(around)) / _MEDIAN_OF_EXPONENTIAL * step if around.size else 0.0
         if noise > 0:
-            answer[row] = min(max(_RESOLVED, (left * power[row] / noise) ** (1 / 6)), _FAR)
+            answer[row] = min(max(_RESOLVED, (left[row] * power[row] / noise) ** (1 / 6)), _FAR)
     return answer * step
 
 
