@@ -22,7 +22,7 @@ from torquerig.inference.held_out import held_out_density
 from torquerig.inference.knobs import turned
 from torquerig.inference.likelihood import log_density_of, weights
 from torquerig.inference.model import Model
-from torquerig.inference.one_number import without_priors
+from torquerig.inference.one_number import FAR, without_priors
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
 from torquerig.inference.refitted import refitted
 from torquerig.inference.undecided_lines import column_of
@@ -121,8 +121,9 @@ def _best(
             continue
         one = _Candidate.of(replace(sketch.model, fit=finished(sketch.model.fit, data)), held)
         gain = one.model.log_odds - model.log_odds
+        fits = [each.model for each in sketches]
         is_winner = gain > LEAST_OTHER and wins(
-            one.added, odds=gain, held_out=one.held_out - _compared(model.fit, one.added, data, held, before)
+            one.added, odds=gain, held_out=one.held_out - _compared(model.fit, one.model, data, held, before, fits=fits)
         )
         if is_winner and (best is None or one.odds > best.odds):
             others += [] if best is None else [best]
@@ -158,15 +159,25 @@ def competes(one: Addition, other: Addition, data: Data) -> bool:
     return not rows or not others or not rows.isdisjoint(others)
 
 
-def _compared(fit: Fit, each: Addition, data: Data, held: Data, before: float) -> float:
-    """Return the held-out log-likelihood that an addition must exceed [nats].
+def _explained(one: Model, fits: Sequence[Model]) -> frozenset[str]:
+    """Return the other numbers of a round that are near their stated values in a model with its last addition."""
+    numbers = frozenset[str]().union(*(each.additions[-1].names for each in fits if not each.additions[-1].parts))
+    at = zip(one.fit.knobs, one.fit.positions.tolist(), strict=True)
+    return frozenset(knob.name for knob, position in at if abs(position) < FAR) & numbers - one.additions[-1].names
+
+
+def _compared(fit: Fit, one: Model, data: Data, held: Data, before: float, *, fits: Sequence[Model]) -> float:
+    """Return the held-out log-likelihood that the last addition of a model must exceed [nats].
 
     That is ``before`` for parts. A number that is far off has moved already, against its prior: it is compared with the
-    stated one, to which all others are fitted anew.
+    stated one, to which the others are fitted anew, except those numbers of the round, ``fits``, that it makes stated
+    ones again. Such a number would move instead, and no held-out data see how improbable that is.
     """
+    each = one.additions[-1]
     if each.parts:
         return before
-    stated = refitted(fit, data, keeps=lambda knob: knob.name not in each.names)
+    moved = each.names | _explained(one, fits)
+    stated = refitted(fit, data, keeps=lambda knob: knob.name not in moved)
     return before if stated is None else held_out_density(stated, held)
 
 

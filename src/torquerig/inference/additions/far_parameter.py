@@ -13,10 +13,9 @@ import numpy as np
 
 from torquerig.inference.addition import Addition
 from torquerig.inference.context import Context
-from torquerig.inference.one_number import without_priors
+from torquerig.inference.one_number import FAR, without_priors
 
 _LOG_ODDS = -5.0  # 0.7 % of the numbers of a scenario are slips of pen, unit or data sheet
-_FAR = 2.0  # [standard deviations] nearer than this it is not far off
 _FARTHEST = 3.0  # [standard deviations] of the wide prior: from there a fit begins where the linear step is longer
 _SPREAD = 1.4  # of the logarithm: a factor of 4
 _STATED = 0.5  # of that: a number that may be off by a factor of 2 anyhow was never stated
@@ -29,7 +28,7 @@ def propose(context: Context) -> Iterator[Addition]:
     free, _ = without_priors(context.fit)
     for knob, position in zip(context.fit.knobs, free.tolist(), strict=True):
         wide = _SPREAD if knob.factor else _OF_RANGE * max(context.largest_level, context.signal)
-        if knob.part in own and abs(position) > _FAR and knob.spread < _STATED * wide:
+        if knob.part in own and abs(position) > FAR and knob.spread < _STATED * wide:
             start = float(np.clip(position * knob.spread / wide, -_FARTHEST, _FARTHEST))
             yield Addition(
                 kind="parameter", knobs=(replace(knob, spread=wide),), starts=((start,),),

@@ -12,6 +12,7 @@ from torquerig.inference.fit import Fit
 from torquerig.inference.knobs import Knob
 from torquerig.inference.readings import SetupFault
 
+_SAME_TERM = {"coulomb": "stribeck_friction"}  # fields whose torque a mechanism adds: more of it is either of the two
 _KIND_OF = {"scale": "sensor_scale", "zero": "sensor_zero"}  # fields of a sensor that are facts of the set-up
 
 
@@ -36,22 +37,25 @@ def _estimated(each: SetupFault, fit: Fit) -> dict[str, Any]:
 def number_answer(outcome: Outcome, each: Addition) -> dict[str, Any]:
     """Return a number of the rig that is far from its stated value, in the form of the contract.
 
-    Other numbers and mechanisms that the recordings do not exclude in its place are alternatives.
+    Other numbers and mechanisms that the recordings do not exclude in its place are alternatives; so is a mechanism
+    that adds the same term to the rig, where the number is larger than stated.
     """
     fit, knob = outcome.model.fit, each.knobs[0]
     estimated = estimate(fit, [one.name for one in fit.knobs].index(knob.name), _unit_of(fit, knob))
     near = [other for other, gap in alternatives(outcome, each) if gap < ALIKE and (other.is_named or not other.parts)]
     numbers = [other.knobs[0].name for other in near if not other.is_named]
+    stated = knob.value(fit.nominal)
+    same = {_SAME_TERM[knob.field]} if knob.field in _SAME_TERM and estimated["value"] > stated else set[str]()
     instead = f" They do not exclude that {' or '.join(numbers)} is off instead." if numbers else ""
     return {
         "kind": _kind_of(each),
         "of": knob.part if knob.field in _KIND_OF else knob.name,
-        "stated": digits(knob.value(fit.nominal)),
+        "stated": digits(stated),
         "estimated": estimated,
         "confidence": round(confidence(outcome, each), 3),
-        "equivalent_to": sorted({_kind_of(other) for other in near} - {_kind_of(each)}),
+        "equivalent_to": sorted(({_kind_of(other) for other in near} | same) - {_kind_of(each)}),
         "explanation": f"The recordings fit if {knob.name} is {estimated['value']:g} instead of "
-        f"{knob.value(fit.nominal):.4g} {estimated['unit']}.{instead}",
+        f"{stated:.4g} {estimated['unit']}.{instead}",
     }  # fmt: skip
 
 
