@@ -82,6 +82,8 @@ class MeanTorques:
         the posterior: with the standardised course c, residuals r, weights W, slopes J and the Hessian H of the model,
         ``(c'W r)^2 / 2 / (c'W c - c'W J H^-1 J'W c)``; the parameters of the model follow the course.
         """
+        if not self.rest.size:
+            return np.zeros(courses.shape[1]), np.zeros(courses.shape[1])
         columns = solve_triangular(self.root, courses, lower=True)
         along = columns.T @ (self.weight * self.rest)
         shared = self.slopes.T @ (self.weight[:, None] * columns)
