@@ -18,7 +18,7 @@ from torquerig.inference.parameters import parameters
 from torquerig.inference.places import Place, order
 from torquerig.inference.readings import SET_POINT_ERROR, Reading, SetupFault, best_reading
 from torquerig.inference.rig_under_test import check_recordings, check_rig
-from torquerig.inference.sample_faults import sample_faults, usable_runs
+from torquerig.inference.sample_faults import on_few_codes, rounding_step, sample_faults, usable_runs
 from torquerig.inference.search import searched
 from torquerig.inference.set_points import off_set_points
 from torquerig.inference.undecided_lines import in_both_domains
@@ -170,7 +170,7 @@ def prepared(
             replace(run, lost=lost, wander=point.slow_speed_wander, wander_cutoff=point.slow_speed_wander_cutoff)
             for run, lost in zip(made, faults.lost, strict=True)
         ]
-        usable, judged = usable_runs(ready, faults.unusable)
+        usable, judged = usable_runs(ready, faults.unusable, step=rounding_step(of))
         return with_held_out(usable, held_out), judged
 
     runs, judged = measured(rig)
@@ -191,7 +191,7 @@ def prepared(
     samples = faults.without_scaled_codes(each.estimated for each in reading.faults if each.kind == "sensor_scale")
     return Prepared(
         reading.runs, known, reading.data, reading.fit, stated, reading.faults, samples, judged, shown.untrue,
-        (*shown.sentences, *off),
+        (*shown.sentences, *on_few_codes(runs, step=rounding_step(rig)), *off),
     )  # fmt: skip
 
 

@@ -95,7 +95,8 @@ def gain_shapes(seen: RunFeatures, *, run: int, runs: Sequence[MeasuredRun]) -> 
 
 def _corners(runs: Sequence[MeasuredRun]) -> Floats:
     """Return frequencies [Hz] an octave apart, from a quarter of the largest sample rate down to the slowest band."""
-    highest, slowest = 0.5 * max(each.rate for each in runs), min(each.slowest for each in runs)
+    compared = [each for each in runs if each.blocks]
+    highest, slowest = 0.5 * max(each.rate for each in compared), min(each.slowest for each in compared)
     return np.asarray(highest * 0.5 ** np.arange(1, round(np.log2(highest / slowest))))
 
 

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from torquerig import mechanisms
 from torquerig.inference.addition import Addition, free_name
+from torquerig.inference.blocks import Block, blocks_of
 from torquerig.inference.measured_run import MeasuredRun
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.coarse_codes import coarse_codes
@@ -26,6 +27,7 @@ from torquerig.recordings.repair.samples_at_limit import at_limit, rebuilt, too_
 from torquerig.recordings.repair.sharp_dropouts import Gap, dropouts_of, gaps
 from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
 from torquerig.rig.assembly import Part, Rig
+from torquerig.sensor_stages.rounding import Rounding
 
 NAMES = ("clipping", "quantization", "signal_dropout")
 
@@ -36,6 +38,9 @@ _JUMP = 12.0  # [standard deviations of a step] that each edge of a dropout exce
 _TAIL = 8.0  # degrees of freedom of Student's distribution, by which a single jump is judged
 _SAME_SCALE = 0.05  # [1] relative: so near to the factor of a sensor codes are its converter's
 _MOST_AT_LIMIT = 1e-3  # share of the samples of a block
+_CROSSED = (
+    0.5  # of the step of coarse codes: standard deviation of a signal whose rounding has the variance step^2 / 12
+)
 _NEAR = 0.25  # of the converter's step, within which a value is on a coarser one
 _ASIDE = 1e-3  # probability of a value that is on none of the coarse codes
 _TWO_SIDED = 1.96  # standard deviations of half a 95 % interval
@@ -120,19 +125,59 @@ def covered(moments: Iterable[Gap], samples: int) -> NDArray[np.bool_]:
 
 
 def usable_runs(
-    runs: Sequence[MeasuredRun], unusable: Sequence[NDArray[np.bool_]]
+    runs: Sequence[MeasuredRun], unusable: Sequence[NDArray[np.bool_]], *, step: float = 0.0
 ) -> tuple[tuple[MeasuredRun, ...], bool]:
-    """Return the runs without blocks of which too many samples are at a limit, and whether enough are left.
+    """Return the runs without blocks that show no torque, and whether enough are left.
 
-    Where the rest cannot both be fitted and judge a fit, all blocks are returned.
+    Such a block has too many samples at a limit, or moves by less than half a step of coarse codes [V]: what is rounded
+    to one code or two has no spectrum (Widrow & Kollar 2008, Quantization Noise, 5). Where the rest cannot both be
+    fitted and judge a fit, blocks of few codes stay, or all blocks are returned.
     """
-    kept = tuple(
-        replace(run, blocks=tuple(block for block in run.blocks if flags[block.samples].mean() < _MOST_AT_LIMIT))
-        for run, flags in zip(runs, unusable, strict=True)
+    kept = _without_blocks(runs, [[flags[block.samples].mean() >= _MOST_AT_LIMIT for block in run.blocks]
+                                  for run, flags in zip(runs, unusable, strict=True)])  # fmt: skip
+    if not _can_be_judged(kept):
+        return tuple(runs), False
+    moving = _without_blocks(kept, [[_is_rounded_away(run, block, step) for block in run.blocks] for run in kept])
+    return (moving if _can_be_judged(moving) else kept), True
+
+
+def _without_blocks(runs: Sequence[MeasuredRun], without: Sequence[Sequence[bool]]) -> tuple[MeasuredRun, ...]:
+    return tuple(
+        replace(run, blocks=tuple(block for block, gone in zip(run.blocks, own, strict=True) if not gone))
+        for run, own in zip(runs, without, strict=True)
     )
-    both = {block.held_out for run in kept for block in run.blocks}
-    enough = both == {True, False}
-    return (kept if enough else tuple(runs)), enough
+
+
+def _can_be_judged(runs: Sequence[MeasuredRun]) -> bool:
+    return {block.held_out for run in runs for block in run.blocks} == {True, False}
+
+
+def _is_rounded_away(run: MeasuredRun, block: Block, step: float) -> bool:
+    recording = run.recording
+    unit = abs(recording.channels[recording.torque_name()].si_per_unit)
+    return float(np.std(run.torque[block.samples])) < _CROSSED * unit * step
+
+
+def on_few_codes(runs: Sequence[MeasuredRun], *, step: float) -> tuple[str, ...]:
+    """Return a sentence for each run of which blocks were left out because they move by less than half a step [V]."""
+    answer = list[str]()
+    for run in runs:
+        kept = {block.start for block in run.blocks}
+        gone = [
+            block for block in blocks_of(run.speed) if block.start not in kept and _is_rounded_away(run, block, step)
+        ]
+        lost, whole = sum(block.stop - block.start for block in gone) / run.rate, run.torque.size / run.rate
+        if gone:
+            answer.append(
+                f"{run.name}: {lost:.3g} s of {whole:.3g} s move by less than half a step of the codes "
+                f"({step:.4g} V) and are not compared"
+            )
+    return tuple(answer)
+
+
+def rounding_step(rig: Rig) -> float:
+    """Return the step of the coarsest codes that a mechanism of a rig makes [V]; 0 where none does."""
+    return max((stage.step for stage in rig.stages() if isinstance(stage, Rounding)), default=0.0)
 
 
 def _codes(recordings: Sequence[Recording], rig: Rig, step: float) -> tuple[Addition, float] | None:

@@ -56,4 +56,6 @@ def as_json(outcome: Outcome) -> dict[str, Any]:
 
 def _use(run: MeasuredRun) -> str:
     held = {block.held_out for block in run.blocks}
+    if not held:
+        return "none"
     return "split" if len(held) > 1 else "held_out" if held == {True} else "fit"

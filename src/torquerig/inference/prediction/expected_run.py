@@ -14,7 +14,7 @@ from torquerig.inference.prediction.gap_change import gap_change
 from torquerig.inference.prediction.hit_courses import COURSES, hit_courses
 from torquerig.inference.prediction.kept_twin import clumping_of, level_balance, level_inertia, load_key, loads_of
 from torquerig.inference.prediction.line_features import line_features
-from torquerig.inference.prediction.measuring_chain import chain_noise, passed_by_logger
+from torquerig.inference.prediction.measuring_chain import chain_noise, passed_by_logger, rounding_error
 from torquerig.inference.prediction.reading_courses import Courses, course_density, courses, slow_noise
 from torquerig.inference.prediction.ringing import ringing_density
 from torquerig.inference.prediction.slow_lines import covariance_of_lines
@@ -108,7 +108,7 @@ def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
         return model
     return replace(
         model, line_power=model.line_power * np.exp(change.line), line_error=change.line_error,
-        density=model.density * np.exp(change.band), density_error=change.band_error,
+        density=model.density * np.exp(change.band), density_error=np.hypot(change.band_error, model.density_error),
         level=model.level + change.level, level_error=change.level_error,
     )  # fmt: skip
 
@@ -143,6 +143,7 @@ def _by_twin(rig: Rig, seen: RunFeatures) -> ExpectedRun:
         line_power=lines.power, line_slope=lines.slope, line_range=lines.varied, line_beat=lines.beat, density=density,
         load_share=load / density, level=level, level_covariance=spread, slow_load=slow_load, level_rate=changing,
         load_clumping=clumping_of(twin.rig), level_range=own, hit_courses=courses_of_hits,
+        density_error=rounding_error(twin.rig, seen, density),
         near_lines=np.einsum("sp,spq->sq", lines.power, seen.side_places),
         near_bands=np.einsum("sp,spb->sb", 0.5 * lines.power, seen.side_bands) / (seen.bands.high - seen.bands.low),
     )  # fmt: skip

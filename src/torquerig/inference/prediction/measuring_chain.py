@@ -22,6 +22,8 @@ Floats = NDArray[np.float64]
 
 _ROUNDING = 12.0  # variance of a number that is rounded to whole steps is 1/12 (Widrow & Kollar)
 
+_COLOUR = 1.5  # of the logarithm: the error of a slow signal may be a fifth of white noise in a band, or five times it
+
 
 def chain_noise(rig: Rig, seen: RunFeatures) -> Floats:
     """Return the density of the noise of the measuring chain in each band [(N m)^2/Hz].
@@ -40,6 +42,23 @@ def chain_noise(rig: Rig, seen: RunFeatures) -> Floats:
         elif isinstance(stage, LoggerLowPass):
             power *= _passed(stage, bands.middle)
     return power
+
+
+def rounding_error(rig: Rig, seen: RunFeatures, density: Floats) -> Floats:
+    """Return how uncertain the logarithm of the density in each band is because codes are coarse [1].
+
+    White noise of rms s before a rounding to steps q leaves the share ``exp(-(2 pi s / q)^2)`` of the error's variance
+    ``q^2 / 12`` that is not white: a twentieth at s = 0.28 q. It follows the signal, so that most of it is where the
+    signal is and little at high frequencies. Source: autocorrelation of the error for Gaussian signals (Sripad & Snyder
+    1977, IEEE Trans. Acoust., Speech, Signal Process. 25; Widrow & Kollar 2008, Quantization Noise).
+    """
+    noise, coloured = 0.0, 0.0
+    for stage in rig.stages():
+        if isinstance(stage, WhiteNoise):
+            noise = float(np.hypot(noise, stage.rms))
+        elif isinstance(stage, Rounding | Converter) and stage.step > 0:
+            coloured += stage.step**2 * float(np.exp(-((2 * pi * noise / stage.step) ** 2)))
+    return np.asarray(_COLOUR * seen.unit**2 * coloured / _ROUNDING / (0.5 * seen.run.rate) / density)
 
 
 def crosstalk_lines(twin: Twin, seen: RunFeatures) -> tuple[Floats, Floats]:

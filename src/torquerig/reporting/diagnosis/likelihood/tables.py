@@ -121,7 +121,7 @@ def errors_table(rms: Mapping[str, Any]) -> Table:
 
 def runs_table(rows: Sequence[Mapping[str, Any]]) -> Table:
     """Return the recordings with their mean speed and what they were used for."""
-    use = {"split": "a third held out", "fit": "fitted", "held_out": "held out"}
+    use = {"split": "a third held out", "fit": "fitted", "held_out": "held out", "none": "not compared"}
     return Table(
         caption="The recordings", head=("recording", "mean speed [rpm]", "used for"),
         rows=tuple((*words(each["file"]), number(plain(each["speed_rpm"], 5)), *words(use[each["used_for"]]))
