@@ -149,7 +149,7 @@ def diagnose(
     --------
     >>> import torquerig as tr
     >>> hum = tr.mechanisms.MainsInterference(name="hum", amplitudes=(0.1,), phases=(0.0,))
-    >>> speeds = [{"operating_point.output_speed": f"{rpm} rpm"} for rpm in (140, 200)]
+    >>> speeds = [{"operating_point.output_speed": f"{rpm} rpm"} for rpm in (140, 180)]
     >>> rigs = [tr.read_scenario("wear_rig.yaml", changes=one) for one in speeds]
     >>> runs = [tr.simulate(rig + hum, duration=6.0, truth=False) for rig in rigs]
     >>> answer = tr.diagnose("wear_rig.yaml", runs)

@@ -44,6 +44,8 @@ class SamplesAsCompared:
 def samples_as_compared(recordings: Sequence[Recording], rig: Rig, faults: SampleFaults) -> SamplesAsCompared:
     """Return the recordings with all faults of their samples repaired.
 
+    Of a recording with many samples at a limit nothing else is said: between them it is quiet for that reason.
+
     Parameters
     ----------
     recordings : sequence of Recording
@@ -52,7 +54,8 @@ def samples_as_compared(recordings: Sequence[Recording], rig: Rig, faults: Sampl
         Of these: what mechanisms make.
     """
     seen = _examined(recordings, rig)
-    untrue = tuple(fault for fault in seen.faults if fault.mechanism is None)
+    stuck = {each.name for each, flags in zip(recordings, faults.unusable, strict=True) if flags.any()}
+    untrue = tuple(fault for fault in seen.faults if fault.mechanism is None and fault.recording not in stuck)
     shown = {fault.recording for fault in untrue}
     repaired, lost = [], []
     for row, recording in enumerate(recordings):
