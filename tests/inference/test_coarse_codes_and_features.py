@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from tests.inference.drawn_runs import drawn_run, steady
-from torquerig.inference.engine import features_of
+from torquerig.errors import InputError
+from torquerig.inference.engine import features_of, with_held_out
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.prediction.measuring_chain import rounding_error
 from torquerig.inference.sample_faults import on_few_codes, usable_runs
@@ -86,3 +87,18 @@ def test_what_is_left_out_is_stated():
     (sentence,) = on_few_codes(usable, step=STEP)
     assert sentence.startswith("run1: 12 s of 12 s move by less than half a step of the codes (0.2 V)")
     assert not on_few_codes([quiet, moving], step=STEP), "nothing was left out"
+
+
+def test_a_recording_of_which_nothing_is_compared_cannot_be_held_out():
+    quiet, moving = (
+        rounded(drawn_run(1, speed=steady(1000), noise=noise, name=name)) for noise, name in ((0.01, "a"), (0.3, "b"))
+    )
+    usable, _ = usable_runs([quiet, moving], no_flags([quiet, moving]), step=STEP)
+    with pytest.raises(InputError, match=r"nothing of a can be compared.*; leave the option out"):
+        with_held_out(usable, ["a"])
+    with pytest.raises(InputError, match="nothing of the others than b can be compared"):
+        with_held_out(usable, ["b"])
+    other = replace(moving, recording=replace(moving.recording, name="c"))
+    with pytest.raises(InputError, match="hold out one of b, c"):
+        with_held_out([*usable, other], ["a"])
+    assert {block.held_out for block in with_held_out([*usable, other], ["c"])[2].blocks} == {True}

@@ -12,9 +12,11 @@ likelihood              how likely features are under a model      load_spectrum
 discrepancy             how far a right model may be off           model_density   what a model expects between lines
 readings/               other readings of the samples: with a fact of the set-up corrected
 knobs                   parameters of parts that a fit may change
-parameters, fit         the nominal rig's numbers, their maximum of the posterior, and the evidence; moved_gain: slopes
+parameters, fit         the nominal rig's numbers, their maximum of the posterior, and the evidence
+climb, moved_gain       the way to that maximum, and slopes; data: features of all runs
 additions/, addition    hypotheses: nameless effects, numbers far off, mechanisms
 context, shafts, tones, one_size, gap_width    for them; undecided_lines: orders that may be frequencies
+mean_torques            how much of the mean torques a course explains
 search                  the additions of the largest posterior odds; dropped: those that later ones make needless
 refitted, one_number    a model with fewer parameters; where one of them would be without its prior
 adequacy, held_out      whether a model explains the data, and those that no fit has seen

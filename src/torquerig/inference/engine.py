@@ -203,9 +203,17 @@ def with_held_out(runs: Sequence[MeasuredRun], names: Sequence[str]) -> tuple[Me
         raise InputError(f"--held-out {unknown[0]}: no recording has this name; choose among {', '.join(known)}")
     if names and set(names) >= set(known):
         raise InputError("--held-out names every recording; leave at least one for the fit")
+    if not names:
+        return tuple(runs)
+    compared = {run.name for run in runs if run.blocks}
+    if not compared & set(names) or compared <= set(names):
+        which = f"of the others than {names[0]}" if compared & set(names) else f"of {names[0]}"
+        remedy = f"hold out one of {', '.join(sorted(compared))}" if len(compared) > 1 else "leave the option out"
+        raise InputError(
+            f"--held-out {names[0]}: nothing {which} can be compared, all is at a limit or stays on one code; {remedy}"
+        )
     return tuple(
-        replace(run, blocks=tuple(replace(block, held_out=run.name in names) for block in run.blocks)) if names else run
-        for run in runs
+        replace(run, blocks=tuple(replace(block, held_out=run.name in names) for block in run.blocks)) for run in runs
     )
 
 

@@ -58,7 +58,7 @@ class FitJson:
 
 @dataclass(frozen=True, kw_only=True)
 class RecordingJson:
-    """A recording and what it was used for."""
+    """A recording and what it was used for: ``fit``, ``held_out``, ``split`` (a part of each) or ``none``."""
 
     file: str
     speed_rpm: float | None
