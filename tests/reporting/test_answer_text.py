@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from torquerig.reporting.diagnosis.answer_text import MOST_LINES, answer_lines
+from torquerig.reporting.diagnosis.answer_text import MOST_LINES, answer_lines, nameless_text
 
 
 def finding(name: str = "gear_mesh", **more: Any) -> dict[str, Any]:
@@ -55,7 +55,7 @@ def test_set_up_facts_and_effects_without_a_name_are_in_the_answer() -> None:
     lines = answer_lines(diagnosis(setup=setup, unnamed=unnamed, rms=rms), verdict="x")
     assert lines[1] == "Rms residual on held-out data: 1.69 N m before, 0.44 N m after."
     assert "- sensor scale of torque_sensor: stated 1.0, estimated 2 (1.98 to 2.02); 90 % sure" in lines
-    assert sum("no name: tone at 77.0 Hz, 0.3 (0.2 to 0.4) N m" in line for line in lines) == 1
+    assert sum("no name: tone at 77 Hz, 0.3 (0.2 to 0.4) N m" in line for line in lines) == 1
 
 
 def test_a_long_answer_keeps_its_end_and_says_where_the_others_are() -> None:
@@ -63,3 +63,16 @@ def test_a_long_answer_keeps_its_end_and_says_where_the_others_are() -> None:
     assert len(lines) == MOST_LINES
     assert lines[-1].startswith("Next: ") or "--model" in lines[-1]
     assert sum("--report" in line for line in lines) == 2, "of findings, and of remarks"
+
+
+@pytest.mark.parametrize(
+    ("kind", "axis", "at", "wanted"),
+    [
+        ("line_family", "motor_shaft", 12.0, "line family at order 12 of the motor shaft"),
+        ("level_course", "time", 0.0, "a function of the time"),
+        ("other", "speed", 0.0, "a function of the speed"),
+        ("line_family", "cycles/m", 399.791, "line family at 399.791 cycles/m"),
+    ],
+)
+def test_a_nameless_effect_has_a_place_only_where_it_is_at_one(kind, axis, at, wanted):
+    assert nameless_text({"kind": kind, "axis": axis, "at": at}) == wanted

@@ -10,6 +10,7 @@ from torquerig.reporting.diagnosis.sentences import fact_text, mechanism_text
 from torquerig.reporting.layout import plain
 
 MOST_LINES = 15  # of the answer, so that it fits into a small terminal without scrolling
+_QUANTITIES = ("time", "speed", "position")  # axes along which a nameless effect extends
 _NEXT_LETTERS = 330  # three lines
 _NEXT: Mapping[str, str] = {
     "adequate": "use the scenario as it is; more runs at other speeds and loads can show smaller effects",
@@ -73,7 +74,17 @@ def _details(data: Mapping[str, Any]) -> Iterator[str]:
     for one in data.get("unnamed", ()):
         if not one.get("minor"):
             size = f", {_value(one['size'])}" if one.get("size") else ""
-            yield f"- no name: {mechanism_text(one['kind'])} at {one['at']} {one['axis']}{size}; {_sure(one)} sure"
+            yield f"- no name: {nameless_text(one)}{size}; {_sure(one)} sure"
+
+
+def nameless_text(one: Mapping[str, Any]) -> str:
+    """Return what an effect without a name is, and where; a function of a quantity has no place."""
+    if one["axis"] in _QUANTITIES:
+        return f"a function of the {one['axis']}"
+    place = f"{one['at']:g} {one['axis']}"
+    if one["axis"].endswith("shaft"):
+        place = f"order {one['at']:g} of the {one['axis'].replace('_', ' ')}"
+    return f"{mechanism_text(one['kind'])} at {place}"
 
 
 def _value(value: Mapping[str, Any]) -> str:
