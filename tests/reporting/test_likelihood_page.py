@@ -55,7 +55,7 @@ def test_the_answer_says_name_size_class_error_and_next_run():
     assert "gear mesh (0.21 N m rms, not distinguished from commutation ripple)" in joined
     assert "1.69 N m before, 0.44 N m after" in joined
     assert "1.2 nats less likely" in joined
-    assert "line family at 9.0 motor_shaft" in joined
+    assert "line family at order 9 of the motor shaft" in joined
     assert joined.endswith("Next: Record a steady run at 640 rpm, 12 s long.")
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import secrets
 import signal
 import socket
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 
 HOST = "127.0.0.1"
 CONNECTED = 60.0  # [s] in which a page that was loaded opens its websocket, on the busiest machine
+LISTENS = 0.01  # [s] between two attempts to connect to a port that does not listen yet
 EXTRA = "pip install 'torquerig[studio]'"
 HEAD = """<link rel="stylesheet" href="/studio/report/page.css">
 <link rel="stylesheet" href="/studio/page/studio.css">
@@ -115,12 +117,22 @@ def _serve(
         await show_page(tabs, STEPS, step)
 
     address = f"http://{HOST}:{port}/?token={token}"
-    app.on_startup(lambda: say(address))
+    app.on_startup(lambda: _say_when_served(address, port, say))
     ui.run(
         host=HOST, port=port, reload=False, show=f"/?token={token}" if opens_browser else False, dark=None,
         tailwind=False, show_welcome_message=False, gzip_middleware_factory=None, favicon="🔧",
         binding_refresh_interval=None, reconnect_timeout=10.0, ws_per_message_deflate=False,
     )  # fmt: skip
+
+
+async def _say_when_served(address: str, port: int, say: Callable[[str], None]) -> None:
+    """Show the address once the port answers; the server calls its startup handlers before it listens."""
+    while True:
+        with suppress(OSError):
+            _, stream = await asyncio.open_connection(HOST, port)
+            stream.close()
+            return say(address)
+        await asyncio.sleep(LISTENS)
 
 
 def _prepare(tabs: Tabs) -> None:
