@@ -14,6 +14,7 @@ from torquerig.inference.one_number import without_priors
 
 KNOBS = tuple(Knob("part", name, 0.1) for name in ("first", "second"))
 SLOPES = np.array([[1.0, 1.0], [1.0, 0.9], [0.2, 0.3], [0.0, 0.4]])
+SAME_SD = np.zeros_like(SLOPES)  # derivatives of the logarithms of the standard deviations
 MEASURED = np.array([0.3, 0.25, 0.1, -0.05])  # small: Student's weights are then those of its middle
 
 
@@ -29,8 +30,9 @@ def fit():
     positions = posterior(weights)
     nothing = SimpleNamespace()
     return Fit(
-        nothing, nothing, KNOBS, positions, np.zeros(0), Discrepancy(), (), 0.0, -SLOPES, np.zeros(4), np.ones(4)
-    )
+        nothing, nothing, KNOBS, positions, np.zeros(0), Discrepancy(), (), 0.0, np.concatenate([-SLOPES, SAME_SD]),
+        np.zeros(4), np.ones(4),
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize(("column", "prior"), [(0, (0.0, 1.0)), (1, (1.0, 0.0))])
@@ -45,7 +47,10 @@ def test_of_two_that_explain_the_same_the_stiff_one_gains_most_without_its_prior
     hessian = slopes.T @ (9.0 / 8.0 * slopes) + np.eye(2)
     positions = np.linalg.solve(hessian, slopes.T @ (9.0 / 8.0 * np.array([6.0, 6.0])))
     nothing = SimpleNamespace()
-    fit = Fit(nothing, nothing, KNOBS, positions, np.zeros(0), Discrepancy(), (), 0.0, -slopes, np.zeros(2), np.ones(2))
+    fit = Fit(
+        nothing, nothing, KNOBS, positions, np.zeros(0), Discrepancy(), (), 0.0, np.concatenate([-slopes, 0 * slopes]),
+        np.zeros(2), np.ones(2),
+    )  # fmt: skip
     moved, gains = without_priors(fit)
     assert abs(positions[1]) < 0.2 < 10 < abs(moved[1])
     assert gains == pytest.approx([gains[0]] * 2, rel=0.1)

@@ -44,7 +44,8 @@ class Known:
         models = [model_of(each) for each in seen]
         found = all_residuals(self.data, models, gains, off)
         value = np.concatenate([np.where(each.kind == LEVEL, each.standardised, 0.0) for each in found])
-        fitted = {"off": off, "expected": models, "gains": gains, "value": value, "jacobian": np.zeros((value.size, 1))}
+        none = np.zeros((2 * value.size, 1))
+        fitted = {"off": off, "expected": models, "gains": gains, "value": value, "jacobian": none}
         self.fit = type("Fitted", (), fitted)
 
 

@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 from torquerig.errors import TorquerigError
 from torquerig.inference.data import Data, all_residuals
 from torquerig.inference.knobs import Knob, turned
-from torquerig.inference.likelihood import Discrepancy, log_density, weights
-from torquerig.inference.moved_gain import values_with_moved_gain
+from torquerig.inference.likelihood import Discrepancy, Residuals, log_density
+from torquerig.inference.moved_gain import residuals_with_moved_gain
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
+from torquerig.inference.slopes import gradient_of, hessian_of, row_weights, stacked
 from torquerig.parallel import parallel_map
 from torquerig.rig.assembly import Rig
 
@@ -61,6 +62,7 @@ class Point:
     expected: Sequence[ExpectedRun]
     slopes: Floats = field(default_factory=lambda: np.zeros((0, 0)))
     value: Floats = field(default_factory=lambda: np.zeros(0))
+    sd: Floats = field(default_factory=lambda: np.zeros(0))
     score: float = 0.0
     made: Floats | None = None
 
@@ -94,7 +96,7 @@ def followed(
     """
     data, off, made = at.data, at.off, start.made
     here, own, expected, slopes = start.positions, start.gains, start.expected, start.slopes
-    score, value = _score(data, expected, here, own, off), _flat(data, expected, own, off)
+    score, (value, sd) = _score(data, expected, here, own, off), _flat(data, expected, own, off)
     fresh, radius = np.zeros(slopes.shape[1], dtype=bool) if fresh is None else fresh, _RADIUS
     for _ in range(iterations):
         position = np.concatenate([here, own])
@@ -107,10 +109,12 @@ def followed(
         reached = at.expected(there)
         gained = _BAD if reached is None else _score(data, reached, there, other, off) - score
         if reached is not None:
-            after = _flat(data, reached, other, off)
-            slopes = slopes + np.outer(after - value - slopes @ step, step) / length**2
+            after, wider = _flat(data, reached, other, off)
+            change = stacked(after * wider / sd - value, np.log(wider / sd))
+            slopes = slopes + np.outer(change - slopes @ step, step) / length**2
         if reached is not None and gained > 0:
-            here, own, expected, value, score = there, other, reached, after, score + gained
+            slopes = _in_units(slopes, sd, wider)
+            here, own, expected, value, sd, score = there, other, reached, after, wider, score + gained
             fresh = np.zeros_like(fresh)
         stale = _at_fault(slopes, value, step, fresh, rest=rest) if gained <= 0 else np.zeros_like(fresh)
         if gained >= _FALLEN_SHORT * promised:
@@ -121,7 +125,7 @@ def followed(
             made = position if fresh.all() else made
         else:
             radius = max(0.4 * length, _SHORTEST)
-    return Point(here, own, tuple(expected), slopes, value, score, made)
+    return Point(here, own, tuple(expected), slopes, value, sd, score, made)
 
 
 def _at_fault(slopes: Floats, value: Floats, step: Floats, fresh: Bools, *, rest: float) -> Bools:
@@ -129,7 +133,7 @@ def _at_fault(slopes: Floats, value: Floats, step: Floats, fresh: Bools, *, rest
 
     Shape (parameters + gains,); none where those that are not fresh make less than ``rest``.
     """
-    share = step**2 * np.einsum("f,fk,fk->k", weights(value), slopes, slopes)
+    share = step**2 * np.einsum("f,fk,fk->k", row_weights(value), slopes, slopes)
     share = np.where(fresh, 0.0, share) / max(float(share.sum()), _NOTHING)
     order = np.argsort(-share)
     before = np.cumsum(share[order]) - share[order]
@@ -144,11 +148,13 @@ def resized(at: Case, found: Point, off: Discrepancy) -> Point:
     Residuals of lines and bands hardly depend on the sizes, only their standard deviations do. Those of levels are made
     independent by a covariance that has the sizes in it; a step that falls short for it has its derivatives made anew.
     """
-    before, after = (
-        np.concatenate([each.sd for each in all_residuals(at.data, found.expected, found.gains, sizes)])
-        for sizes in (at.off, off)
-    )
-    return replace(found, slopes=found.slopes * (before / after)[:, None])
+    before, after = (_flat(at.data, found.expected, found.gains, sizes)[1] for sizes in (at.off, off))
+    return replace(found, slopes=_in_units(found.slopes, before, after))
+
+
+def _in_units(slopes: Floats, before: Floats, after: Floats) -> Floats:
+    """Return derivatives in units of other standard deviations; those of their logarithms have none."""
+    return np.asarray(slopes * np.concatenate([before / after, np.ones(before.size)])[:, None])
 
 
 def is_made_near(found: Point, knobs: Sequence[Knob]) -> bool:
@@ -166,32 +172,31 @@ def is_made_near(found: Point, knobs: Sequence[Knob]) -> bool:
 
 
 def slopes_at(at: Case, point: Point, *, kept: Floats | None = None) -> Floats:
-    """Return the derivatives of the residuals, in units of their standard deviations at a point.
+    """Return the derivatives at a point, residuals in units of their standard deviations there; see ``slopes``.
 
     Columns of ``kept`` that are finite are taken from it.
     """
     here, gains, expected = point.positions, point.gains, point.expected
     base = all_residuals(at.data, expected, gains, at.off)
-    value = np.concatenate([each.value for each in base])
-    sd = np.concatenate([each.sd for each in base])
-    slopes = np.full((value.size, here.size + gains.size), np.nan) if kept is None else kept.copy()
+    value, sd = _joined(base)
+    slopes = np.full((2 * value.size, here.size + gains.size), np.nan) if kept is None else kept.copy()
 
-    def moved(column: int) -> Floats:
-        """Return the residuals with one number moved."""
+    def moved(column: int) -> tuple[Floats, Floats]:
+        """Return the residuals with one number moved, and their standard deviations."""
         position = np.concatenate([here, gains])
         position[column] += _STEP
-        if column >= here.size:
-            own = zip(at.data.seen, at.data.shapes, expected, base, strict=True)
-            louder, gain = position[here.size :], column - here.size
-            return np.concatenate([values_with_moved_gain(*each, gains=louder, off=at.off, moved=gain) for each in own])
-        there = at.expected(position[: here.size])
-        return np.concatenate([each.value for each in all_residuals(at.data, there or expected, gains, at.off)])
+        if column < here.size:
+            there = at.expected(position[: here.size])
+            return _joined(all_residuals(at.data, there or expected, gains, at.off))
+        own = zip(at.data.seen, at.data.shapes, expected, base, strict=True)
+        louder, gain = position[here.size :], column - here.size
+        return _joined([residuals_with_moved_gain(*each, gains=louder, off=at.off, moved=gain) for each in own])
 
     columns = np.flatnonzero(~np.isfinite(slopes).all(axis=0)).tolist()
     many = sum(column < here.size for column in columns) >= _MANY
     values = parallel_map(moved, columns) if many else [moved(column) for column in columns]
-    for column, after in zip(columns, values, strict=True):
-        slopes[:, column] = (after - value) / (sd * _STEP)
+    for column, (after, wider) in zip(columns, values, strict=True):
+        slopes[:, column] = stacked((after - value) / sd, np.log(wider / sd)) / _STEP
     return slopes
 
 
@@ -201,20 +206,19 @@ def _score(data: Data, expected: Sequence[ExpectedRun], positions: Floats, gains
     return score if np.isfinite(score) else _BAD
 
 
-def _flat(data: Data, expected: Sequence[ExpectedRun], gains: Floats, off: Discrepancy) -> Floats:
-    return np.concatenate([each.standardised for each in all_residuals(data, expected, gains, off)])
+def _joined(found: Sequence[Residuals]) -> tuple[Floats, Floats]:
+    return np.concatenate([each.value for each in found]), np.concatenate([each.sd for each in found])
 
 
-def hessian_of(slopes: Floats, value: Floats) -> Floats:
-    """Return the Gauss-Newton Hessian of minus the log-posterior in units of the prior, at standardised residuals."""
-    weighted = slopes * weights(value)[:, None]
-    return np.asarray(slopes.T @ weighted + np.eye(slopes.shape[1]))
+def _flat(data: Data, expected: Sequence[ExpectedRun], gains: Floats, off: Discrepancy) -> tuple[Floats, Floats]:
+    """Return the standardised residuals and their standard deviations."""
+    value, sd = _joined(all_residuals(data, expected, gains, off))
+    return value / sd, sd
 
 
 def _step(slopes: Floats, value: Floats, position: Floats, radius: float) -> Floats:
     """Return the step to the maximum of the local model, no longer than the radius (Levenberg's parameter)."""
-    hessian = hessian_of(slopes, value)
-    gradient = slopes.T @ (weights(value) * value) + position
+    hessian, gradient = hessian_of(slopes, value), gradient_of(slopes, value) + position
     damping = 0.0
     for _ in range(40):
         step = -np.linalg.solve(hessian + damping * np.eye(position.size), gradient)
@@ -226,6 +230,5 @@ def _step(slopes: Floats, value: Floats, position: Floats, radius: float) -> Flo
 
 def _promise(slopes: Floats, value: Floats, position: Floats, step: Floats) -> float:
     """Return the gain that the local model promises for a step [nats]."""
-    hessian = hessian_of(slopes, value)
-    gradient = slopes.T @ (weights(value) * value) + position
-    return float(-(gradient @ step) - 0.5 * step @ hessian @ step)
+    gradient = gradient_of(slopes, value) + position
+    return float(-(gradient @ step) - 0.5 * step @ hessian_of(slopes, value) @ step)

@@ -8,16 +8,17 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.inference.climb import Case, Point, climbed, followed, hessian_of, is_made_near, resized
+from torquerig.inference.climb import Case, Point, climbed, followed, is_made_near, resized
 from torquerig.inference.data import Data, all_residuals
 from torquerig.inference.discrepancy import estimated, is_near, log_prior
 from torquerig.inference.knobs import Knob, turned
 from torquerig.inference.likelihood import Discrepancy
 from torquerig.inference.load_spectrum import with_gains
 from torquerig.inference.prediction.expected_run import ExpectedRun
+from torquerig.inference.slopes import hessian_of
 from torquerig.rig.assembly import Rig
 
-__all__ = ["Data", "Fit", "all_residuals", "finished", "fitted", "hessian_of", "sketched"]
+__all__ = ["Data", "Fit", "all_residuals", "finished", "fitted", "sketched"]
 
 Floats = NDArray[np.float64]
 
@@ -48,8 +49,8 @@ class Fit:
         By run, gains not applied.
     log_posterior : float
         Log-likelihood plus log-prior of positions and gains, each without constants [nats].
-    jacobian : ndarray, shape (features, knobs + triangles)
-        Of the standardised residuals.
+    jacobian : ndarray, shape (2 features, knobs + triangles)
+        Derivatives of the residuals and of their standard deviations; see ``slopes``.
     value : ndarray, shape (features,)
         Standardised residuals.
     sd : ndarray, shape (features,)
@@ -90,8 +91,8 @@ def fitted(
 ) -> Fit:  # fmt: skip
     """Return the maximum of the posterior that the start leads to; parameters as of ``sketched``.
 
-    Log-evidence: ``log p(D, x^) - 1/2 log det H``, H the Gauss-Newton Hessian of the posterior in units of the prior
-    (Laplace; MacKay 2003, Information Theory, Inference, and Learning Algorithms, 28).
+    Log-evidence: ``log p(D, x^) - 1/2 log det H``, H the Hessian of the posterior in units of the prior (Laplace;
+    MacKay 2003, Information Theory, Inference, and Learning Algorithms, 28).
     """
     return finished(
         sketched(rig, knobs, data, start=start, gains=gains, off=off, jacobian=jacobian, nominal=nominal, rest=0.0),
@@ -115,7 +116,7 @@ def sketched(
     ----------
     off : Discrepancy, optional
         Where the estimate of its sizes begins.
-    jacobian : ndarray, shape (features, knobs + gains), optional
+    jacobian : ndarray, shape (2 features, knobs + gains), optional
         Derivatives of an earlier fit near the start; a column of NaN is made anew.
     nominal : Rig, optional
         The scenario's, where ``rig`` has additions.
@@ -155,10 +156,9 @@ def _settled(at: Case, found: Point, nominal: Rig, iterations: int, *, rest: flo
         found = resized(at, found, sizes)
         at = replace(at, off=sizes)
         found = followed(at, found, iterations, rest=rest)
-    sd = np.concatenate([each.sd for each in all_residuals(data, found.expected, found.gains, at.off)])
     _, logdet = np.linalg.slogdet(hessian_of(found.slopes, found.value))
     return Fit(
         nominal, at.rig, at.knobs, found.positions, found.gains, at.off, tuple(found.expected), found.score,
-        found.slopes, found.value, sd, log_evidence=found.score + log_prior(at.off) - 0.5 * float(logdet),
+        found.slopes, found.value, found.sd, log_evidence=found.score + log_prior(at.off) - 0.5 * float(logdet),
         is_finished=is_made_near(found, at.knobs),
     )  # fmt: skip

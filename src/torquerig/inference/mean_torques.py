@@ -9,9 +9,10 @@ from numpy.typing import NDArray
 from scipy.linalg import block_diag, solve_triangular
 
 from torquerig.inference.context import Context
-from torquerig.inference.fit import all_residuals, hessian_of
+from torquerig.inference.fit import all_residuals
 from torquerig.inference.likelihood import LEVEL, level_root, weights
 from torquerig.inference.load_spectrum import with_gains
+from torquerig.inference.slopes import hessian_of
 
 Floats = NDArray[np.float64]
 
@@ -71,7 +72,7 @@ class MeanTorques:
             swept=np.repeat([not each.run.is_steady for each in seen], count),
             expected=np.concatenate([each.level for each in models]),
             sign=np.repeat([np.sign(each.unit) for each in seen], count), root=block_diag(*roots),
-            rest=fit.value[rows], weight=weights(fit.value)[rows], slopes=fit.jacobian[rows],
+            rest=fit.value[rows], weight=weights(fit.value)[rows], slopes=fit.jacobian[: rows.size][rows],
             hessian=hessian_of(fit.jacobian, fit.value),
         )  # fmt: skip
 

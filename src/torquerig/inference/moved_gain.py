@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.inference.features.run_features import RunFeatures
-from torquerig.inference.likelihood import BAND, COMMON, LEVEL, LINE, Discrepancy, Residuals, residuals_of
+from torquerig.inference.likelihood import BAND, LEVEL, LINE, Discrepancy, Residuals, residuals_of
 from torquerig.inference.load_spectrum import GainShapes, with_gains
 from torquerig.inference.prediction.expected_run import ExpectedRun
 
 Floats = NDArray[np.float64]
 
 
-def values_with_moved_gain(
+def residuals_with_moved_gain(
     seen: RunFeatures, shape: GainShapes, model: ExpectedRun, before: Residuals, *, gains: Floats, off: Discrepancy,
     moved: int,
-) -> Floats:  # fmt: skip
-    """Return the residuals of a run, shape (features,), at ``gains``; ``before`` are those with ``moved`` elsewhere.
+) -> Residuals:  # fmt: skip
+    """Return the residuals of a run at ``gains``; ``before`` are those with ``moved`` elsewhere.
 
     Parameters
     ----------
@@ -27,9 +29,11 @@ def values_with_moved_gain(
         In standard deviations; they differ from those of ``before`` in the gain with the index ``moved`` alone.
     """
     if not shape.acts(moved):
-        return before.value
+        return before
     louder = with_gains(model, shape, gains)
-    values = [residuals_of(seen, louder, off, kind).value for kind in (LINE, BAND)]
-    levels, common = (before.value[before.kind == kind] for kind in (LEVEL, COMMON))
-    levels = residuals_of(seen, louder, off, LEVEL).value if shape.levels[moved] else levels
-    return np.concatenate([*values, levels, common])
+    kinds = (LINE, BAND, LEVEL) if shape.levels[moved] else (LINE, BAND)
+    value, sd = before.value.copy(), before.sd.copy()
+    for kind in kinds:
+        there = residuals_of(seen, louder, off, kind)
+        value[before.kind == kind], sd[before.kind == kind] = there.value, there.sd
+    return replace(before, value=value, sd=sd)

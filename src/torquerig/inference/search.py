@@ -17,14 +17,15 @@ from torquerig.inference.context import Context, lacks
 from torquerig.inference.discrepancy import log_prior
 from torquerig.inference.dropped import without_needless
 from torquerig.inference.features.line_search import FoundLine
-from torquerig.inference.fit import Data, Fit, all_residuals, finished, hessian_of, sketched
+from torquerig.inference.fit import Data, Fit, all_residuals, finished, sketched
 from torquerig.inference.held_out import held_out_density
 from torquerig.inference.knobs import turned
-from torquerig.inference.likelihood import log_density_of, weights
+from torquerig.inference.likelihood import log_density_of
 from torquerig.inference.model import Model
 from torquerig.inference.one_number import FAR, without_priors
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
 from torquerig.inference.refitted import refitted
+from torquerig.inference.slopes import after_step, gradient_of, hessian_of
 from torquerig.inference.undecided_lines import column_of
 from torquerig.parallel import parallel_map
 from torquerig.rig.assembly import Rig
@@ -237,10 +238,10 @@ def _promised(context: Context, each: Addition, start: tuple[float, ...]) -> flo
     sd = fit.sd  # of the base model: the sizes of the discrepancy have not followed yet
     value = np.concatenate([one.value for one in there]) / sd
     position = np.concatenate([fit.positions, fit.gains])
-    gradient = fit.jacobian.T @ (weights(value) * value) + position
+    gradient = gradient_of(fit.jacobian, value) + position
     step = -np.linalg.solve(hessian_of(fit.jacobian, value), gradient)
     prior = float(np.square(position + step).sum() + np.square(start).sum())
-    after = log_density_of(value + fit.jacobian @ step, sd) - 0.5 * prior
+    after = log_density_of(*after_step(fit.jacobian, value, sd, step)) - 0.5 * prior
     return after - fit.log_posterior + each.log_odds - _PER_PARAMETER * len(start)
 
 
@@ -257,7 +258,7 @@ def _together(model: Model, data: Data, each: Addition, start: tuple[float, ...]
     """Return the model with an addition, all parameters fitted together; None where that is not possible."""
     fit, own = model.fit, {knob.name for knob in each.knobs}
     kept = [at for at, knob in enumerate(fit.knobs) if knob.name not in own]
-    new = np.full((fit.value.size, len(each.knobs)), np.nan)
+    new = np.full((len(fit.jacobian), len(each.knobs)), np.nan)
     jacobian = np.concatenate([fit.jacobian[:, kept], new, fit.jacobian[:, len(fit.knobs) :]], axis=1)
     try:
         found = sketched(

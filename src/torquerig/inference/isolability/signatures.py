@@ -20,6 +20,7 @@ from torquerig.inference.fit import all_residuals
 from torquerig.inference.knobs import turned
 from torquerig.inference.prediction.expected_run import expected_run
 from torquerig.inference.search import LEAST_GAIN
+from torquerig.inference.slopes import stacked
 
 Floats = NDArray[np.float64]
 
@@ -73,8 +74,7 @@ class Projection:
         self.context = context
         fit, data = context.fit, context.data
         self.base = all_residuals(data, fit.expected, fit.gains, fit.off)
-        stacked = np.concatenate([fit.jacobian, np.eye(fit.jacobian.shape[1])])
-        self.along = np.linalg.qr(stacked)[0]
+        self.along = np.linalg.qr(np.concatenate([fit.jacobian, np.eye(fit.jacobian.shape[1])]))[0]
 
     def change(self, each: Addition, positions: Floats) -> Floats | None:
         """Return what an addition with its parameters at ``positions`` changes; None where there is no such rig."""
@@ -85,8 +85,10 @@ class Projection:
         except (TorquerigError, ValueError, OverflowError, np.linalg.LinAlgError):
             return None
         there = all_residuals(data, expected, fit.gains, fit.off)
-        moved = [(one.value - own.value) / own.sd for one, own in zip(there, self.base, strict=True)]
-        full = np.concatenate([*moved, np.zeros(self.along.shape[1])])
+        pairs = list(zip(there, self.base, strict=True))
+        moved = np.concatenate([(one.value - own.value) / own.sd for one, own in pairs])
+        wider = np.log(np.concatenate([one.sd / own.sd for one, own in pairs]))
+        full = np.concatenate([stacked(moved, wider), np.zeros(self.along.shape[1])])
         return np.asarray(full - self.along @ (self.along.T @ full))
 
 
