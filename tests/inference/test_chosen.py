@@ -63,6 +63,12 @@ def test_only_fits_that_may_win_are_finished(round_of):
     assert [hasattr(one.fit, "is_finished") for one in (best, near, far, worse)] == [True, True, False, False]
 
 
+def test_sketches_of_large_gains_may_be_wrong_by_a_share_of_them(round_of):
+    best, near, far = (model(gain, HARMONIC) for gain in (446.0, 430.5, 107.0))
+    round_of((best, 323.0), (near, 323.0), (far, 83.0))
+    assert [hasattr(one.fit, "is_finished") for one in (best, near, far)] == [True, True, False]
+
+
 def test_a_fit_is_finished_where_the_best_one_fails_on_held_out_data(round_of):
     failing, other = model(60.0, HARMONIC), model(14.3, FUNDAMENTAL)
     assert round_of((failing, 1.0), (other, 20.0)).additions == (FUNDAMENTAL,)
