@@ -10,7 +10,8 @@ import pytest
 from scipy.signal import lfilter
 
 from tests.inference.drawn_runs import drawn_run, steady
-from torquerig.inference.features.impacts import search_impacts
+from torquerig.inference.additions import bearing_defect
+from torquerig.inference.features.impacts import Impact, search_impacts
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.prediction.measuring_chain import crosstalk_lines
 from torquerig.inference.prediction.ringing import ringing_density, ringing_lines, share_in_line
@@ -72,6 +73,22 @@ def test_a_band_without_a_ring_does_not_beat():
     impact = found(struck(3.57, seed=1, size=0.1), struck(3.57, seed=2, size=0.1))
     assert impact.log_p_near(420.0) < np.log(1e-6)
     assert impact.log_p_near(30.0) > np.log(1e-2)
+
+
+def test_a_beat_says_nothing_of_frequencies_without_a_searched_band():
+    impact = Impact(2.77, 78.0, {78.0: -14.7, 110.4: 0.0}, 0.01)
+    assert impact.log_p_near(80.0) == -14.7
+    assert impact.log_p_near(1.16) == 0.0
+
+
+@pytest.mark.parametrize(("order", "step", "proposed"), [(2.055, 0.085, 0), (2.055, 0.01, 1), (2.77, 0.085, 1)])
+def test_impacts_are_at_an_order_that_the_search_separates_from_whole_ones(monkeypatch, order, step, proposed):
+    shaft = SimpleNamespace(part="drum", turns=0.034)
+    context = SimpleNamespace(shafts=[shaft], data=SimpleNamespace(seen=()), rig=SimpleNamespace(of_kind=lambda _: ()),
+                              bands_above=list)  # fmt: skip
+    monkeypatch.setattr(bearing_defect, "search_impacts", lambda *_: Impact(order, 78.0, {78.0: -14.7}, step))
+    monkeypatch.setattr(bearing_defect, "_impacts", lambda *_: "impacts")
+    assert len([*bearing_defect.propose(context)]) == proposed
 
 
 def test_impacts_that_the_load_makes_stronger_once_a_turn_keep_their_order():

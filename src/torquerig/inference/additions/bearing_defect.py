@@ -19,7 +19,7 @@ from torquerig.inference.shafts import Shaft
 NAMES = ("bearing_defect",)
 
 _LOG_ODDS = -4.0
-_WHOLE = 0.03  # [1/rev] so near to a whole order of a shaft, load and lines beat as well
+_WHOLE = 0.03  # [1/rev] so near to a whole order of a shaft, or a bin of the search, load and lines beat as well
 _MOST_FACTOR = 25.0  # [nats] that the beat may count: the band that rings must be explained too
 _DAMPING, _DAMPING_SPREAD = 0.03, 0.7  # and of its logarithm
 _FREQUENCY_SPREAD = 0.2  # of its logarithm
@@ -33,8 +33,9 @@ def propose(context: Context) -> Iterator[Addition]:
     impact = search_impacts(context.data.seen, shaft.turns)
     if impact is None or context.rig.of_kind("bearing_defect"):
         return
-    orders = [impact.order * shaft.turns / other.turns for other in context.shafts]
-    if all(abs(order - round(order)) > _WHOLE for order in orders):
+    shares = [shaft.turns / other.turns for other in context.shafts]
+    orders = [(impact.order * share, max(_WHOLE, impact.step * share)) for share in shares]
+    if all(abs(order - round(order)) > near for order, near in orders):
         for frequency in dict.fromkeys((impact.frequency, *context.bands_above()[:_STRONGEST])):
             yield _impacts(context, shaft, replace(impact, frequency=frequency))
 

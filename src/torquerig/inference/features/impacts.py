@@ -42,15 +42,18 @@ class Impact:
     """A band around ``frequency`` [Hz] that beats ``order`` times per turn of a shaft.
 
     ``log_p`` has the logarithm of the p-value of that beat in each searched band, by the middle of the band [Hz].
+    ``step`` is a bin of the longest piece [1/rev]: orders that are nearer are one.
     """
 
     order: float
     frequency: float
     log_p: Mapping[float, float]
+    step: float
 
     def log_p_near(self, frequency: float) -> float:
-        """Return the logarithm of the p-value in the band that is nearest to a frequency [Hz]."""
-        return self.log_p[min(self.log_p, key=lambda middle: abs(log(middle / frequency)))]
+        """Return the logarithm of the p-value in the band that has a frequency [Hz]; 0 where none was searched."""
+        nearest = min(self.log_p, key=lambda middle: abs(log(middle / frequency)))
+        return self.log_p[nearest] if abs(log(nearest / frequency)) < 0.5 * _OCTAVES * log(2) else 0.0
 
 
 @dataclass(frozen=True)
@@ -94,7 +97,8 @@ def _clearest(beats: Sequence[_Beats], turns: float, middles: Sequence[float]) -
     if order < _ORDERS[0]:  # something that passes less than twice a turn
         return None
     loudest = max(shown, key=lambda one: sum(_size(each, one, float(orders[at]) * turns) for each in beats))
-    return Impact(order, middles[loudest], {middles[one]: own for one, own in zip(shown, log_p, strict=True)})
+    log_p_by_band = {middles[one]: own for one, own in zip(shown, log_p, strict=True)}
+    return Impact(order, middles[loudest], log_p_by_band, _OVERSAMPLED * step)
 
 
 @lru_cache(maxsize=64)
