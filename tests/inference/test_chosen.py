@@ -57,6 +57,14 @@ def test_what_fails_on_held_out_data_is_not_taken(round_of):
     assert best.additions == (FUNDAMENTAL,)
 
 
+def test_an_effect_without_a_name_wins_by_the_sum_of_its_gains(round_of):
+    tone = Addition(kind="tone", label="a tone", parts=(PART,))
+    assert round_of((model(0.5, tone), 14.0)).additions == (tone,)
+    assert round_of((model(3.9, tone), 0.2)).additions == (tone,)
+    for odds, held_out in ((2.0, 1.5), (-0.5, 14.0), (14.0, -0.5)):
+        assert round_of((model(odds, tone), held_out)) is None
+
+
 def test_only_fits_that_may_win_are_finished(round_of):
     best, near, far, worse = (model(gain, HARMONIC) for gain in (30.0, 27.0, 20.0, -4.0))
     round_of((worse, 60.0), (far, 20.0), (near, 20.0), (best, 20.0))

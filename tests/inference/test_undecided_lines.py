@@ -57,7 +57,7 @@ def test_additions_compete_for_a_line_in_whichever_domain_they_have_it():
 
 @pytest.mark.parametrize(
     ("odds", "held_out", "named", "nameless"),
-    [(8.5, 3.5, True, True), (4.0, 8.0, True, True), (4.0, 5.0, False, True), (2.0, 30.0, False, False),
+    [(8.5, 3.5, True, True), (4.0, 8.0, True, True), (4.0, 5.0, False, True), (2.0, 30.0, False, True),
      (30.0, 2.0, False, True)],
 )  # fmt: skip
 def test_a_name_needs_eleven_nats_of_all_data(odds, held_out, named, nameless):

@@ -38,7 +38,7 @@ FITTED = 5  # of the proposals of one round that are fitted together with the mo
 _NUMBERS = 2  # of these that are numbers, where others wait: what is promised of a number is the most that it may gain
 LEAST_GAIN = 8.0  # [nats] of posterior odds by which an addition must win, 3000 to 1: the library is never complete
 LEAST_HELD_OUT = 3.0  # [nats] by which it must make the held-out data more likely
-LEAST_OTHER, LEAST_HELD_OUT_OTHER = 3.0, 1.0  # [nats] the same of an effect without a name; of a number only the first
+LEAST_OTHER, LEAST_HELD_OUT_OTHER = 3.0, 1.0  # [nats] of a nameless effect, in their sum; of a number the first
 _SKETCHED = 5.0  # [nats] by which the odds of a sketched fit may be off: of six none was by more than 1
 _SKETCHED_SHARE = 0.1  # [1] the same of what it gains: ripples of 754 and 769 nats were off by 39 and by 15
 _PER_PARAMETER = 1.5  # [nats] that the freedom of a parameter costs before it is fitted, for the screening
@@ -119,13 +119,14 @@ def _best(
     for sketch in sorted(sketches, key=lambda one: -one.odds):
         gain = sketch.model.log_odds - model.log_odds
         error = max(_SKETCHED, _SKETCHED_SHARE * (sketch.odds - model.log_odds - before))
-        if gain <= LEAST_OTHER - error or (best is not None and sketch.odds <= best.odds - error):
+        least = 0.0 if _is_nameless(sketch.added) else LEAST_OTHER
+        if gain <= least - error or (best is not None and sketch.odds <= best.odds - error):
             others.append(sketch)
             continue
         one = _Candidate.of(replace(sketch.model, fit=finished(sketch.model.fit, data)), held)
         gain = one.model.log_odds - model.log_odds
         fits = [each.model for each in sketches]
-        is_winner = gain > LEAST_OTHER and wins(
+        is_winner = gain > least and wins(
             one.added, odds=gain, held_out=one.held_out - _compared(model.fit, one.model, data, held, before, fits=fits)
         )
         if is_winner and (best is None or one.odds > best.odds):
@@ -139,12 +140,17 @@ def _best(
 def wins(added: Addition, *, odds: float, held_out: float) -> bool:
     """Return whether an addition wins by its gains of posterior odds and of the held-out likelihood [nats].
 
-    No fit has seen the held-out data, so that both together are the odds given all data. Those of a mechanism must
-    reach what it needs in both, whichever of them they come from.
+    No fit has seen the held-out data, so that both together are the odds given all data. They must reach what is needed
+    in both, whichever of them they come from; each must speak for an effect without a name, and clearly for others.
     """
-    least = LEAST_HELD_OUT_OTHER if added.parts and not added.is_named else LEAST_HELD_OUT
+    if _is_nameless(added):
+        return odds > 0 and held_out > 0 and odds + held_out > LEAST_OTHER + LEAST_HELD_OUT_OTHER
     needed = LEAST_GAIN + LEAST_HELD_OUT if added.is_named else 0.0
-    return odds > LEAST_OTHER and held_out > least and odds + held_out > needed
+    return odds > LEAST_OTHER and held_out > LEAST_HELD_OUT and odds + held_out > needed
+
+
+def _is_nameless(added: Addition) -> bool:
+    return bool(added.parts) and not added.is_named
 
 
 def _still_wins(each: Addition, model: Model, less: Model, *, held: Data) -> bool:
