@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 from tests.inference.drawn_runs import drawn_run, steady
+from torquerig.inference.addition import Addition
 from torquerig.inference.adequacy import Excess, judged_run
-from torquerig.inference.answer.located import _peaks
+from torquerig.inference.answer import located
+from torquerig.inference.answer.located import _peaks, differences
+from torquerig.inference.features.line_search import FoundLine
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.likelihood import BAND, LEVEL, Residuals
+from torquerig.inference.places import Place
 
 
 @pytest.mark.parametrize("kind", [LEVEL, BAND])
@@ -22,3 +28,15 @@ def test_neighbours_and_small_residuals_are_no_places(kind):
     each = Residuals(value, np.ones(shown.size), np.full(shown.size, kind, dtype=np.int8), shown, segment)
     first = Excess("largest", 1e-9, 0, kind, 1, 1.0)
     assert [one.row for one in _peaks([judged_run(seen, each)], first)] == [1, 11]
+
+
+def test_a_line_at_one_speed_is_reported_in_both_domains(monkeypatch):
+    order, tone = Place("order", 3.3), Place("frequency", 66.0)
+    found = (FoundLine(tone, -40.0, -39.0, order), FoundLine(order, -39.0, -40.0, tone))
+    monkeypatch.setattr(located, "all_residuals", lambda *_: [])
+    fit = SimpleNamespace(expected=(), gains=None, off=None)
+    for mechanism, places in (("", [tone, order]), ("mains_interference", [tone])):
+        model = SimpleNamespace(additions=(Addition(mechanism=mechanism, kind="tone", places=(tone,)),))
+        outcome = SimpleNamespace(nominal=fit, model=model, data=SimpleNamespace(seen=()), found=found)
+        rows = differences(outcome)
+        assert {(row["domain"], row["at"]) for row in rows} == {(place.domain, place.at) for place in places}

@@ -30,10 +30,10 @@ def differences(outcome: Outcome) -> list[dict[str, Any]]:
     """Return where the calibrated model differs: the places of the additions, and other large residuals."""
     fit = outcome.nominal
     runs = all_residuals(outcome.data, fit.expected, fit.gains, fit.off)
-    places = list(dict.fromkeys(place for each in outcome.model.additions for place in each.places))
+    places = list(dict.fromkeys(_of_additions(outcome)))
     found = {line.place: exp(line.log_p) for line in outcome.found}
     rows = [_of_line(outcome.data.seen, runs, place, p_value=found.get(place)) for place in places]
-    if len(places) < len(outcome.model.additions):  # some have no place: a level, a band
+    if not all(each.places for each in outcome.model.additions):  # a level, a band
         excesses, tested = significant(outcome, fit)
         rows += [
             _of_excess(tested, one) for each in _largest(excesses) if each.kind != LINE for one in _peaks(tested, each)
@@ -54,7 +54,35 @@ def fault_place(fault: Fault) -> dict[str, Any]:
 def remaining(outcome: Outcome) -> list[dict[str, Any]]:
     """Return where the completed model still differs, also where that is too small to change the verdict."""
     excesses, tested = significant(outcome, outcome.model.fit, any_size=True)
-    return [_of_excess(tested, one) for each in _largest(excesses) for one in _peaks(tested, each)]
+    rows = list[dict[str, Any]]()
+    for one in (one for each in _largest(excesses) for one in _peaks(tested, each)):
+        rows.append(_of_excess(tested, one))
+        if one.kind == LINE:
+            place = tested[one.run].seen.places[int(tested[one.run].residuals.at[one.row])]
+            rows += [{**rows[-1], **_at(other)} for other in _undecided(outcome, place)]
+    return rows
+
+
+def _of_additions(outcome: Outcome) -> Iterator[Place]:
+    """Yield the places of the additions; of a nameless line also that in the other domain."""
+    for each in outcome.model.additions:
+        for place in each.places:
+            yield place
+            if not each.is_named:
+                yield from _undecided(outcome, place)
+
+
+def _undecided(outcome: Outcome, place: Place) -> tuple[Place, ...]:
+    """Return the place of the other domain that a found line may be at as well: the runs do not say which."""
+    return tuple(line.place for line in outcome.found if line.other_place == place)
+
+
+def _at(place: Place) -> dict[str, Any]:
+    turning = place.domain == "order"
+    return {
+        "domain": place.domain, "axis": "motor_shaft" if turning else "Hz", "at": digits(place.at),
+        "width": _ORDER_WIDTH if turning else _TONE_WIDTH,
+    }  # fmt: skip
 
 
 def _largest(found: Sequence[Excess]) -> Iterator[Excess]:
@@ -101,10 +129,8 @@ def _of_line(
             excess = max(excess, float(each.value[rows].max()))
             largest = max(largest, float(np.abs(each.standardised[rows]).max()))
             there += float((each.standardised[rows] ** 2).sum())
-    turning = place.domain == "order"
     return {
-        "domain": place.domain, "axis": "motor_shaft" if turning else "Hz", "at": digits(place.at),
-        "width": _ORDER_WIDTH if turning else _TONE_WIDTH, "recordings": names, "excess_dB": digits(_DECIBELS * excess),
+        **_at(place), "recordings": names, "excess_dB": digits(_DECIBELS * excess),
         "share_of_misfit": digits(there / _total(runs)),
         "p_value": digits(_p_value(largest, runs) if p_value is None else p_value),
     }  # fmt: skip
