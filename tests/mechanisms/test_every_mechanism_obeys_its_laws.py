@@ -33,6 +33,7 @@ from torquerig.mechanisms import (
     EncoderError,
     FieldOrientedControl,
     FlickerNoise,
+    GainRipple,
     GearMesh,
     GranularDrag,
     HallMisplacement,
@@ -275,6 +276,11 @@ ROWS: tuple[Row, ...] = (
         effect=ReadingCourse(name="it", shape="step", at=0.4, zero=0.1, gain=0.1),
         nothing=ReadingCourse(name="it", shape="step", at=0.4),
         why_no_lines="a slow zero and gain",
+    ),
+    Row(
+        effect=GainRipple(name="it", order_motor=4.3, depths=(0.05, 0.02)),
+        nothing=GainRipple(name="it", order_motor=4.3, depths=(0.0,)),
+        orders=(4.3, 8.6),
     ),
     Row(
         effect=SpeedCourse(name="it", shape="kink", at=50.0, size=0.1),

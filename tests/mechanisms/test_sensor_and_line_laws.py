@@ -20,6 +20,7 @@ from torquerig.mechanisms import (
     CurrentGain,
     CurrentOffset,
     Eccentricity,
+    GainRipple,
     GearMesh,
     Imbalance,
     JawCoupling,
@@ -56,6 +57,10 @@ EFFECTS: list[tuple[str, Part]] = [
     (
         "{kind: reading_course, shape: ramp, at: 0.4, zero: 20 mV, gain: -5 %}",
         ReadingCourse(name="it", shape="ramp", at=0.4, zero=0.02, gain=-0.05),
+    ),
+    (
+        "{kind: gain_ripple, frequency: 7 Hz, depths: [2 %, 0.01]}",
+        GainRipple(name="it", frequency=7.0, depths=(0.02, 0.01)),
     ),
     (
         "{kind: speed_course, shape: window, at: 40 rad/s, size: -20 mN*m}",

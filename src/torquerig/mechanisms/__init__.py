@@ -27,6 +27,7 @@ Sensor, cable and file
     clipping             saturation                       quantization         coarse codes
     noise_hump           a band of noise, no cause claimed
     reading_course       zero or gain that change, no cause claimed
+    gain_ripple          lines in proportion to the torque, no cause claimed
     speed_course         torque that follows the speed, no cause claimed
     flicker_noise        1/f below a corner            logger_low_pass      the logger's filter, any order
 """
@@ -58,6 +59,7 @@ if TYPE_CHECKING:
     from torquerig.mechanisms.encoder_error import EncoderError as EncoderError
     from torquerig.mechanisms.field_oriented_control import FieldOrientedControl as FieldOrientedControl
     from torquerig.mechanisms.flicker_noise import FlickerNoise as FlickerNoise
+    from torquerig.mechanisms.gain_ripple import GainRipple as GainRipple
     from torquerig.mechanisms.gear_mesh import GearMesh as GearMesh
     from torquerig.mechanisms.granular_drag import GranularDrag as GranularDrag
     from torquerig.mechanisms.hall_misplacement import HallMisplacement as HallMisplacement

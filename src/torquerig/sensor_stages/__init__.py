@@ -3,6 +3,7 @@
 In the measuring body
     characteristic   gain error, nonlinearity      hysteresis   the reading lags behind a torque that turns back
     scale_and_zero   true scale, constant zero
+    gain_ripple      gain that varies with an angle or with time
     speed_course     torque that follows the speed by no law
     crosstalk        bending read as torque               ringing      impacts of a bearing
 In the electronics

@@ -1,6 +1,7 @@
 """Hypotheses by which a model may be completed: the folder is the list.
 
-Nameless: line_family, tone, resonance, reading_course.  Numbers of the rig: far_parameter.  Mechanisms: one each.
+Nameless: line_family, tone, gain_ripple, resonance, reading_course, speed_course.  Numbers of the rig: far_parameter.
+Mechanisms: one each.
 
 Each module has ``propose(context)``, which yields additions with their priors. One that names mechanisms lists their
 files in ``NAMES``.

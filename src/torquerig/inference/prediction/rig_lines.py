@@ -16,6 +16,7 @@ from torquerig.inference.prediction.phase_modulation import side_lines
 from torquerig.inference.prediction.ringing import ringing_lines
 from torquerig.inference.prediction.swayed_response import swayed_lines
 from torquerig.linear_twin.twin import Twin, passed, sources
+from torquerig.sensor_stages.gain_ripple import GainRipple
 from torquerig.sensor_stages.tone import Tone, folded
 
 Floats = NDArray[np.float64]
@@ -69,6 +70,7 @@ def _at_the_sensor(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
         square, scatter = comb.amplitude**2, _OF_EXPONENTIAL * np.square(1 - comb.share)
         none = np.zeros(square.shape)
         yield RigLines(comb.frequency, square, square, none, True, scatter=scatter, half_width=comb.half_width)
+    yield from gain_lines(twin, seen)
     volts = seen.unit
     for stage in twin.rig.stages():
         if isinstance(stage, Tone):
@@ -76,6 +78,19 @@ def _at_the_sensor(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
             shape = (tones.size, seen.speed.size)
             square = np.broadcast_to(np.square(volts * np.array(stage.amplitudes))[:, None], shape)
             yield RigLines(np.broadcast_to(tones[:, None], shape), square, square, np.zeros(shape), False)
+
+
+def gain_lines(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
+    """Yield the lines that a varying gain makes of the slow torque; those that it makes of other lines are left out."""
+    for stage in twin.rig.stages():
+        if isinstance(stage, GainRipple):
+            slow = speed_balance(twin, seen).sensor.reshape(seen.speeds.shape)
+            level = np.square(slow).mean(axis=1)
+            varied = np.log(np.maximum(np.square(slow), 1e-300)).std(axis=1)
+            unit = stage.order * np.abs(seen.speed) / (2 * pi) if stage.order else np.full(level.size, stage.frequency)
+            frequency = np.arange(1.0, len(stage.depths) + 1)[:, None] * unit
+            square = np.square(stage.depths)[:, None] * level * np.square(np.abs(twin.amplifier(frequency)))
+            yield RigLines(frequency, square, square, np.broadcast_to(varied, square.shape), bool(stage.order))
 
 
 def _of_shafts(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
