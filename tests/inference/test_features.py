@@ -66,6 +66,16 @@ def test_a_run_up_alone_shows_an_order():
     assert not search_lines([run], [order(12.0)], [nothing])
 
 
+def test_a_tone_of_a_part_of_one_run_up_is_found():
+    runs = [drawn_run(seed, speed=ramp(3000, duration=20.0)) for seed in range(6, 12)]
+    time = np.arange(runs[0].torque.size) / RATE
+    tone = 0.1 * np.cos(2 * np.pi * 41.5 * time) * (time > 12.0)
+    runs[0] = replace(runs[0], torque=runs[0].torque + tone)
+    (found,) = search_lines(runs, [], [nothing] * 6)
+    assert found.place.domain == "frequency"
+    assert found.place.at == pytest.approx(41.5, abs=0.1)
+
+
 def test_noise_has_no_lines():
     # p-value 0.001 a search: more than one of 40 finds something by chance with a probability of 8e-4
     runs = [[drawn_run(seed, speed=steady(1000))] for seed in range(100, 140)]

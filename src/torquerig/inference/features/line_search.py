@@ -21,6 +21,7 @@ Floats = NDArray[np.float64]
 
 LEVEL = 1e-3  # p-value, of the whole search, below which a line is real
 _MOST_OF_A_BLOCK = 12.0  # [1] times the noise: what a single block shows is no line of the run
+_CLEAR_BLOCKS = 3  # that show a line of a part of a run each by itself: no transient lasts for so many
 _OVERSAMPLED = 2  # points of the grid for each bin of the longest block
 _SKIRT_LOG = 0.05  # of the strongest line's log p-value: a weaker line may be its leakage and waits for the next pass
 _PASSES = 4
@@ -60,8 +61,8 @@ def search_lines(
     larger one of what the model expects, ``densities`` [(N m)^2/Hz] by run and frequency [Hz], and of the median of the
     neighbours. The mean of n blocks of a run is a gamma variate of shape n; the p-values of the runs are combined by
     Fisher's method, and multiplied by the number of independent places (Bonferroni). No block counts for more than
-    ``_MOST_OF_A_BLOCK``: a line is in many blocks, a transient in one. Strong lines are removed by regression before
-    weaker ones are searched.
+    ``_MOST_OF_A_BLOCK``: a line is in many blocks, a transient in one. Some blocks that each show a line are enough.
+    Strong lines are removed by regression before weaker ones are searched.
     """
     found: list[FoundLine] = []
     for _ in range(_PASSES):
@@ -178,9 +179,10 @@ def _scores(ratios: Sequence[NoiseRatios], domain: str) -> tuple[Floats, Floats,
     if not rows:
         return np.zeros(0), np.zeros(0), np.zeros(0)
     grid = _grid(ratios, domain)
-    log_p, counted, power = (np.zeros(grid.size) for _ in range(3))
+    log_p, counted, power = np.zeros((3, grid.size))
     for run in {id(each.run): each.run for _, _, each in rows}.values():
-        total, count = np.zeros(grid.size), np.zeros(grid.size)
+        total, count = np.zeros((2, grid.size))
+        highest = np.zeros((_CLEAR_BLOCKS, grid.size))
         for values, own, each in rows:
             if each.run is not run:
                 continue
@@ -191,7 +193,9 @@ def _scores(ratios: Sequence[NoiseRatios], domain: str) -> tuple[Floats, Floats,
             power[shown] += ratio
             total[shown] += np.minimum(ratio, _MOST_OF_A_BLOCK)
             count[shown] += 1
-        log_p += np.where(count > 0, _log_gamma_tail(np.maximum(count, 1), total), 0.0)
+            for row in highest:
+                ratio, row[shown] = np.minimum(ratio, row[shown]), np.maximum(ratio, row[shown])
+        log_p += np.where(count > 0, _log_p_of_run(np.maximum(count, 1), total, highest[-1]), 0.0)
         counted += count > 0
     combined = np.where(counted > 0, _log_gamma_tail(np.maximum(counted, 1), -log_p), 0.0)
     return (
@@ -199,6 +203,20 @@ def _scores(ratios: Sequence[NoiseRatios], domain: str) -> tuple[Floats, Floats,
         np.asarray(combined + np.log(_tests(ratios))),
         np.asarray(power),
     )
+
+
+def _log_p_of_run(count: Floats, total: Floats, least: Floats) -> Floats:
+    """Return the logarithm of the p-value of n blocks: of their capped sum, or of the ``_CLEAR_BLOCKS`` highest ones.
+
+    k of n exponential variates exceed x with a probability of at most ``binom(n, k) exp(-k x)``: a tone that lasts for
+    a part of a run is in few of its blocks. The smaller of two p-values counts for both (Bonferroni).
+    """
+    from scipy.special import gammaln
+
+    k = _CLEAR_BLOCKS
+    summed, enough = _log_gamma_tail(count, total), np.maximum(count, k)
+    clear = gammaln(enough + 1) - gammaln(k + 1) - gammaln(enough - k + 1) - k * least
+    return np.where(count >= k, np.minimum(np.minimum(summed, clear) + np.log(2), 0.0), summed)
 
 
 def _tests(ratios: Sequence[NoiseRatios]) -> float:
