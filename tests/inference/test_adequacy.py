@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -9,6 +11,7 @@ from tests.inference.drawn_runs import drawn_run, steady
 from torquerig.inference.adequacy import JudgedRun, excesses, judged_run
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE, Residuals
+from torquerig.inference.places import Place
 
 
 def drawn(rng, *, odd: float = 0.0, wide: float = 1.0, size: float = 1.0) -> JudgedRun:
@@ -87,3 +90,23 @@ def test_errors_that_neighbours_have_in_common_are_no_misfit(common):
         run = JudgedRun(None, each, np.ones(600), {LINE: 0.0, BAND: 1.0, LEVEL: 0.0})
         found.append(min(one.p_value for one in excesses([run], 0.5) if one.statistic.startswith("sum")))
     assert np.mean(np.array(found) < 0.01) < 0.04
+
+
+def at_places(*, shift=0.0, common=0.0):
+    """Return residuals of ten places in each of 16 segments, of which one is ``shift`` too high in all."""
+    rng = np.random.default_rng(11)
+    value = rng.standard_t(DEGREES_OF_FREEDOM, (16, 10)) + shift * (np.arange(10) == 3)
+    each = Residuals(value.ravel(), np.ones(160), np.full(160, LINE, dtype=np.int8), np.tile(np.arange(10), 16),
+                     np.repeat(np.arange(16), 10))  # fmt: skip
+    seen = SimpleNamespace(places=[Place("order", 1.0 + at) for at in range(10)])
+    excess = dict.fromkeys((LINE, BAND, LEVEL), 0.0)
+    return JudgedRun(seen, each, np.ones(160), excess, common=np.full(160, common))
+
+
+def test_a_line_that_is_too_high_in_many_segments_is_found():
+    found = least_likely([at_places(shift=2.0)])
+    assert (found.statistic, found.row % 10) == ("mean of lines", 3)
+    assert found.p_value < 1e-3
+    assert least_likely([at_places()]).p_value > 0.05
+    # what a right model may be wrong by is the same in all segments
+    assert least_likely([at_places(shift=2.0, common=0.9)]).p_value > 0.05

@@ -5,7 +5,7 @@ distribution, Student's. The largest of n has the p-value ``1 - F(|z|)^n``; the 
 ``(nu + 1) ln(1 + z^2 / nu)`` is compared with a normal distribution of their mean and variance, which holds for some
 ten features and more. What is spread over many features, each of them small, shows in the sums. A line or a band that
 changes within a run at one speed shows in its blocks (``unsteady``). The smallest p-value counts for as many tests as
-there are (Bonferroni).
+there are (Bonferroni). A line or a band that is too high in many segments, by too little in each, shows in its mean.
 """
 
 from __future__ import annotations
@@ -20,13 +20,22 @@ from torquerig.inference.discrepancy import usual
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.fit import Data, Fit, all_residuals
 from torquerig.inference.held_out import held_residuals
-from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE, Residuals, deviance_moments
+from torquerig.inference.likelihood import (
+    BAND,
+    DEGREES_OF_FREEDOM,
+    LEVEL,
+    LINE,
+    Discrepancy,
+    Residuals,
+    deviance_moments,
+)  # fmt: skip
 from torquerig.inference.prediction.expected_run import expected_run
 from torquerig.inference.unsteady import Change, changes
 
 Floats = NDArray[np.float64]
 
 LEVEL_OF_TEST = 0.01  # p-value below which a model does not explain the data
+_NOTHING_WRONG = Discrepancy(line=0.0, band=0.0, mode=0.0, modulation=0.0, level=0.0, level_floor=0.0)
 _CHANGE = "change"
 _KINDS = {LINE: "lines", BAND: "bands", LEVEL: "levels"}
 
@@ -38,7 +47,7 @@ class Excess:
     Parameters
     ----------
     statistic : str
-        ``largest`` or ``sum``, with the kind; ``change`` of a line or a band within a run at one speed.
+        ``largest``, ``sum`` or ``mean``, with the kind; ``change`` of a line or a band within a run at one speed.
     p_value : float
         For all tests together [1].
     run, kind, row : int
@@ -72,16 +81,19 @@ class JudgedRun:
         Of each residual in the reading [N m] rms, as of an effect that is added to the model.
     excess : mapping of int to float
         By kind, the mean square [(N m)^2] by which the error of the model exceeds what its standard deviations permit.
+    common : ndarray, shape (features,), optional
+        Standard deviation of what a right model may be wrong by, over that of the residual [1].
     """
 
     seen: RunFeatures
     residuals: Residuals
     size: Floats
     excess: Mapping[int, float]
+    common: Floats | None = None
 
 
-def judged_run(seen: RunFeatures, each: Residuals) -> JudgedRun:
-    """Return the residuals of a run with their sizes."""
+def judged_run(seen: RunFeatures, each: Residuals, sampled: Residuals | None = None) -> JudgedRun:
+    """Return the residuals of a run with their sizes; ``sampled`` are those of a model that is wrong by nothing."""
     size, square, permitted = _sizes(seen, each)
     weight = np.ones(each.value.size)
     lengths = np.array([sum(block.stop - block.start for block in one.blocks) for one in seen.segments], dtype=float)
@@ -89,7 +101,8 @@ def judged_run(seen: RunFeatures, each: Residuals) -> JudgedRun:
     weight[spectral] = (lengths / max(lengths.sum(), 1.0))[each.segment[spectral]]
     weight[~spectral] = 1 / max(int((~spectral).sum()), 1)
     beyond = weight * (square - permitted)
-    return JudgedRun(seen, each, size, {kind: float(beyond[each.kind == kind].sum()) for kind in _KINDS})
+    common = None if sampled is None else np.sqrt(np.maximum(1 - (sampled.sd / each.sd) ** 2, 0.0))
+    return JudgedRun(seen, each, size, {kind: float(beyond[each.kind == kind].sum()) for kind in _KINDS}, common)
 
 
 def excesses_of(
@@ -101,10 +114,13 @@ def excesses_of(
     estimated ones, but no larger than is usual: a model that needs more does not explain its rig.
     """
     fit = replace(fit, off=usual(fit.off))
-    fitted = zip(data.seen, all_residuals(data, fit.expected, fit.gains, fit.off), strict=True)
-    others = zip(held.seen, held_residuals(fit, held), strict=True)
-    runs = tuple(judged_run(seen, each) for seen, each in (*fitted, *others))
-    models = (*fit.expected, *(expected_run(fit.fitted_rig, seen) for seen in held.seen))
+    given, sampled = (
+        (*all_residuals(data, fit.expected, fit.gains, off), *held_residuals(replace(fit, off=off), held))
+        for off in (fit.off, _NOTHING_WRONG)
+    )
+    seen = (*data.seen, *held.seen)
+    runs = tuple(judged_run(*each) for each in zip(seen, given, sampled, strict=True))
+    models = (*fit.expected, *(expected_run(fit.fitted_rig, one) for one in held.seen))
     changed = changes([(each.seen, model) for each, model in zip(runs, models, strict=True)])
     return excesses(runs, relevance, changed=changed), runs
 
@@ -114,7 +130,7 @@ def excesses(runs: Sequence[JudgedRun], relevance: float, *, changed: Sequence[C
     found = [each for kind in _KINDS for each in _of_kind(runs, kind, relevance)]
     if found:
         found.append(_sum_of(runs, tuple(_KINDS), relevance, min(found, key=lambda each: each.p_value)))
-        found += _changing(runs, changed, relevance)
+        found += [*_changing(runs, changed, relevance), *_means(runs, relevance)]
     tests = max(len(found), 1)
     return tuple(sorted((replace(each, p_value=min(tests * each.p_value, 1.0)) for each in found),
                         key=lambda each: each.p_value))  # fmt: skip
@@ -152,6 +168,44 @@ def _changing(runs: Sequence[JudgedRun], changed: Sequence[Change], relevance: f
                 p_value = -np.expm1(len(own) * np.log1p(-min(each.p_value, 1 - 1e-16)))
                 yield Excess(f"{_CHANGE} of {_KINDS[kind]}", float(p_value), each.run, kind, int(rows[0]), each.size)
                 break
+
+
+def _means(runs: Sequence[JudgedRun], relevance: float) -> Iterator[Excess]:
+    """Yield the line and the band of which the mean residual over all segments is the least probable by chance.
+
+    What a right model may be wrong by in one place is the same in all segments, so it does not average out: with c the
+    share of it in each standard deviation, the sum of n standardised residuals has the variance
+    ``n v + (sum c)^2 - sum c^2``, v that of Student's distribution. The sum has the kurtosis of one of 4 + 4 n degrees.
+    """
+    from scipy.stats import t
+
+    nu = DEGREES_OF_FREEDOM
+    for kind in (LINE, BAND):
+        places = dict[tuple[str, float], list[tuple[float, float, int, int]]]()
+        for run, each in enumerate(runs):
+            shares = np.zeros(0) if each.common is None else each.common
+            for row in np.flatnonzero(each.residuals.kind[: shares.size] == kind).tolist():
+                where = _place_of(each.seen, kind, int(each.residuals.at[row]))
+                value, common = float(each.residuals.standardised[row]), float(shares[row])
+                places.setdefault(where, []).append((value, common, run, row))
+        found = list[Excess]()
+        for rows in places.values():
+            value, common = np.array([each[:2] for each in rows]).T
+            square = value.size * nu / (nu - 2) + common.sum() ** 2 - np.square(common).sum()
+            degrees = 4 + 4 * value.size
+            z = abs(value.sum()) * np.sqrt(degrees / (degrees - 2) / square)
+            *_, run, row = max(rows, key=lambda each: each[0] * np.sign(value.sum()))
+            size = float(runs[run].size[row])
+            if size > relevance:
+                p_value = -np.expm1(len(places) * np.log1p(-min(2 * float(t.sf(z, degrees)), 1 - 1e-16)))
+                found.append(Excess(f"mean of {_KINDS[kind]}", float(p_value), run, kind, row, size))
+        yield from sorted(found, key=lambda one: one.p_value)[:1]
+
+
+def _place_of(seen: RunFeatures, kind: int, at: int) -> tuple[str, float]:
+    if kind == BAND:
+        return "", round(float(seen.bands.middle[at]), 3)
+    return seen.places[at].domain, seen.places[at].at
 
 
 def _sum_of(runs: Sequence[JudgedRun], kinds: tuple[int, ...], relevance: float, largest: Excess) -> Excess:
