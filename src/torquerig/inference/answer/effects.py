@@ -11,9 +11,8 @@ from torquerig.inference.addition import Addition, Reported
 from torquerig.inference.answer.confidence import alternatives, confidence, equivalent_to, mechanisms_alike
 from torquerig.inference.answer.numbers import digits, estimate
 from torquerig.inference.answer.owned import Owned
-from torquerig.inference.answer.sizes import size
+from torquerig.inference.answer.sizes import is_minor, size
 from torquerig.inference.answer.tried import alternatives_of
-from torquerig.inference.answer.verdict import is_minor
 from torquerig.inference.engine import Outcome
 from torquerig.inference.shafts import shafts_of
 from torquerig.rig.assembly import Part

@@ -6,8 +6,7 @@ from typing import Any
 
 from torquerig.inference.addition import Addition
 from torquerig.inference.answer.confidence import ALIKE, alternatives, nameless
-from torquerig.inference.answer.sizes import size
-from torquerig.inference.answer.verdict import is_minor
+from torquerig.inference.answer.sizes import is_minor, size
 from torquerig.inference.engine import Outcome
 from torquerig.inference.isolability.limits import as_limit, best_by_mechanism, smallest
 from torquerig.inference.isolability.probes import hypotheses, probed

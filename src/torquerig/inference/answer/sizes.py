@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -10,6 +10,7 @@ import numpy as np
 from torquerig.inference.addition import Addition
 from torquerig.inference.engine import Outcome
 from torquerig.inference.knobs import turned
+from torquerig.inference.measured_run import MeasuredRun
 from torquerig.inference.prediction.expected_run import expected_run
 from torquerig.rig.assembly import Rig
 
@@ -17,11 +18,25 @@ RELEVANCE = 0.03  # [1] of the signal's standard deviation: a smaller nameless e
 
 
 def relevance(outcome: Outcome) -> float:
-    """Return the rms below which a nameless effect is minor [N m]: a share of the signal, or the sensor's accuracy."""
-    signal = max(float(np.std(run.torque)) for run in outcome.runs)
+    """Return the rms below which a residual is minor in all runs [N m]."""
+    return max(_relevance(outcome, run) for run in outcome.runs)
+
+
+def _relevance(outcome: Outcome, run: MeasuredRun) -> float:
+    """Return the rms below which an effect is minor in a run [N m]: a share of the signal, or the sensor's accuracy."""
+    signal = float(np.std(run.torque))
     sensor = outcome.nominal.nominal.part(outcome.nominal.nominal.measured)
     accuracy = getattr(sensor, "accuracy", None)
     return min(RELEVANCE * signal, accuracy) if accuracy else RELEVANCE * signal
+
+
+def is_minor(outcome: Outcome, each: Addition) -> bool:
+    """Return whether a nameless effect is too small in every run to change the verdict.
+
+    What is large in a quiet run is no minor effect, however loud another run is.
+    """
+    least = [_relevance(outcome, seen.run) for seen in outcome.data.seen]
+    return all(size < limit for size, limit in zip(_sizes(outcome, each), least, strict=True))
 
 
 def without(rig: Rig, additions: Sequence[Addition]) -> Rig:
@@ -47,9 +62,12 @@ def size(outcome: Outcome, each: Addition) -> float:
     Of lines, of the spectrum between them and of mean torques; those are uncorrelated. Of a number of the scenario it
     is the change from the stated value.
     """
+    return max(_sizes(outcome, each), default=0.0)
+
+
+def _sizes(outcome: Outcome, each: Addition) -> Iterator[float]:
     fit = outcome.model.fit
     other = without(outcome.completed, [each]) if each.parts else _with_stated(outcome, each)
-    largest = 0.0
     for seen, full in zip(outcome.data.seen, fit.expected, strict=True):
         less = expected_run(other, seen)
         width = seen.bands.high - seen.bands.low
@@ -57,5 +75,4 @@ def size(outcome: Outcome, each: Addition) -> float:
         noise = (np.sqrt(full.density) - np.sqrt(less.density)) ** 2 * width
         shown = (lines.sum(axis=1) + noise.sum(axis=1)).max(initial=0.0)
         levels = np.mean((full.level - less.level) ** 2) if full.level.size else 0.0
-        largest = max(largest, float(np.sqrt(shown + levels)))
-    return largest
+        yield float(np.sqrt(shown + levels))

@@ -11,7 +11,7 @@ from torquerig.inference.adequacy import LEVEL_OF_TEST
 from torquerig.inference.answer.confidence import TEMPER, far_numbers, named, nameless, unsure_numbers
 from torquerig.inference.answer.owned import owned
 from torquerig.inference.answer.significant import significant
-from torquerig.inference.answer.sizes import relevance, size, without
+from torquerig.inference.answer.sizes import is_minor, without
 from torquerig.inference.engine import Outcome
 from torquerig.inference.fit import Fit
 from torquerig.inference.held_out import held_out_density
@@ -34,11 +34,6 @@ def verdict(outcome: Outcome) -> str:
     if named(outcome) or any(owned(outcome, each) for each in far):
         return "missing_physics"
     return "setup_error" if outcome.setup or far else "adequate"
-
-
-def is_minor(outcome: Outcome, each: Addition) -> bool:
-    """Return whether a nameless effect is too small to change the verdict."""
-    return size(outcome, each) < relevance(outcome)
 
 
 def explains(outcome: Outcome, less: Sequence[Addition]) -> bool:
