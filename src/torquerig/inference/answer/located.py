@@ -4,25 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from math import exp, log, log10
+from math import exp, log, log10, pi
 from typing import Any
 
 import numpy as np
 
 from torquerig.inference.adequacy import Excess, JudgedRun
+from torquerig.inference.answer.course_axis import followed
 from torquerig.inference.answer.numbers import digits
 from torquerig.inference.answer.significant import significant
 from torquerig.inference.engine import Outcome
 from torquerig.inference.features.run_features import RunFeatures
-from torquerig.inference.fit import all_residuals
+from torquerig.inference.fit import Fit, all_residuals
 from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE, Residuals
 from torquerig.inference.places import Place
+from torquerig.inference.shafts import shafts_of
 from torquerig.inference.undecided_lines import column_of
 from torquerig.recordings.repair.faults import Fault
+from torquerig.rig.reading_place import effort_unit
 
 _ORDER_WIDTH, _TONE_WIDTH = 0.01, 1.0  # [1/rev], [Hz] to which the place of a line is reported
 _DECIBELS = 10 / log(10)
 _MOST_PLACES, _MUCH_SMALLER = 3, 0.5  # of one kind that are reported, and of the largest residual: one that is not
+_PART = 0.1  # [1] of a speed or a torque, to which a course over it is located
 _APART = 2.0  # [1] times the width of a feature: nearer ones are one place
 
 
@@ -35,9 +39,7 @@ def differences(outcome: Outcome) -> list[dict[str, Any]]:
     rows = [_of_line(outcome.data.seen, runs, place, p_value=found.get(place)) for place in places]
     if not all(each.places for each in outcome.model.additions):  # a level, a band
         excesses, tested = significant(outcome, fit)
-        rows += [
-            _of_excess(tested, one) for each in _largest(excesses) if each.kind != LINE for one in _peaks(tested, each)
-        ]
+        rows += _of_excesses(outcome, fit, [each for each in _largest(excesses) if each.kind != LINE], tested)
     return sorted(rows, key=lambda row: -row["share_of_misfit"])
 
 
@@ -54,13 +56,38 @@ def fault_place(fault: Fault) -> dict[str, Any]:
 def remaining(outcome: Outcome) -> list[dict[str, Any]]:
     """Return where the completed model still differs, also where that is too small to change the verdict."""
     excesses, tested = significant(outcome, outcome.model.fit, any_size=True)
+    return _of_excesses(outcome, outcome.model.fit, list(_largest(excesses)), tested)
+
+
+def _of_excesses(
+    outcome: Outcome, fit: Fit, found: Sequence[Excess], tested: Sequence[JudgedRun]
+) -> list[dict[str, Any]]:  # fmt: skip
+    """Return the places of residuals: of an undecided line in both domains, of mean torques over what they follow."""
     rows = list[dict[str, Any]]()
-    for one in (one for each in _largest(excesses) for one in _peaks(tested, each)):
-        rows.append(_of_excess(tested, one))
-        if one.kind == LINE:
-            place = tested[one.run].seen.places[int(tested[one.run].residuals.at[one.row])]
-            rows += [{**rows[-1], **_at(other)} for other in _undecided(outcome, place)]
+    for each in found:
+        axis = followed(fit, outcome.data) if each.kind == LEVEL else ""
+        for one in _peaks(tested, each):
+            rows.append(_of_excess(tested, one))
+            seen, at = tested[one.run].seen, int(tested[one.run].residuals.at[one.row])
+            if axis in ("speed", "level"):
+                rows[-1] |= _over(outcome, seen, at, axis)
+            elif one.kind == LINE:
+                rows += [{**rows[-1], **_at(other)} for other in _undecided(outcome, seen.places[at])]
     return rows
+
+
+def _over(outcome: Outcome, seen: RunFeatures, at: int, axis: str) -> dict[str, Any]:
+    """Return the place of a mean torque over the speed of the last shaft or over the torque."""
+    if axis == "level":
+        level = float(seen.level[at])
+        return {
+            "domain": axis,
+            "axis": effort_unit(outcome.completed),
+            "at": digits(level),
+            "width": digits(_PART * level),
+        }
+    rpm = float(np.abs(seen.level_speed[at]).mean()) * shafts_of(outcome.completed)[-1].turns * 30 / pi
+    return {"domain": axis, "axis": "rpm", "at": digits(rpm), "width": digits(_PART * rpm)}
 
 
 def _of_additions(outcome: Outcome) -> Iterator[Place]:
