@@ -12,13 +12,16 @@ import numpy as np
 from torquerig.inference.addition import DECADE, start_of
 from torquerig.inference.blocks import STANDSTILL
 from torquerig.inference.features.line_search import FoundLine
+from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.fit import Data, Fit, all_residuals
 from torquerig.inference.knobs import Knob
 from torquerig.inference.likelihood import BAND, floor_density
 from torquerig.inference.places import Place
 from torquerig.inference.prediction.expected_run import expected_run
+from torquerig.inference.prediction.skirts import Skirts, skirts_of, smears
 from torquerig.inference.shafts import Shaft, shafts_of, whole_order
 from torquerig.inference.undecided_lines import column_of
+from torquerig.linear_twin.twin import Twin
 from torquerig.rig.assembly import Part, Rig
 
 SHARE_OF_SIGNAL = 0.03  # [1] of the signal's standard deviation: median of the prior of an amplitude
@@ -148,13 +151,32 @@ class Context:
                 answer[order] = place
         return answer
 
-    def size_of(self, unit: Part, place: Place) -> tuple[float, float]:
+    @cached_property
+    def _skirts(self) -> list[tuple[Skirts | None, RunFeatures]]:
+        """How the motor sways about the angle that is known, in each run."""
+        return [(skirts_of(Twin(self.rig.at(seen.run.run)), seen.run, ""), seen) for seen in self.data.seen]
+
+    def smeared(self, orders: Iterable[float]) -> list[float]:
+        """Return the orders of the motor whose lines the sway spreads so far that no search finds them in any run.
+
+        Those at which the rig has a line are left out.
+        """
+        known = [line.order for line in Twin(self.rig.at(self.data.seen[0].run.run)).lines()]
+        return [
+            order for order in orders
+            if all(abs(order - other) > self.order_error * order for other in known)
+            and all(smears(skirts, seen, order) for skirts, seen in self._skirts)
+        ]  # fmt: skip
+
+    def size_of(self, unit: Part, place: Place | None) -> tuple[float, float]:
         """Return by which factor ``unit`` explains the line at ``place``, and the median of the factor's prior.
 
         ``unit`` is a part whose amplitude is 1. The factor is the median over the segments that show the line, which no
-        single one decides. Both are 0 where the part makes no line there.
+        single one decides. Both are 0 where the part makes no line there. Without a place they follow from the bands.
         """
         rig = self.rig + unit
+        if place is None:
+            return self._size_in_bands(rig)
         gains, ratios = list[float](), list[tuple[float, float]]()
         for row, seen in enumerate(self.data.seen):
             if place not in seen.places:
@@ -173,6 +195,23 @@ class Context:
             return 0.0, 0.0
         found = sorted(size / gain for gain, size in ratios if gain > _REACHES * max(gains))
         return found[len(found) // 2], SHARE_OF_SIGNAL * self.signal / max(gains)
+
+    def _size_in_bands(self, rig: Rig) -> tuple[float, float]:
+        """Return the same of a line that is spread over bands, by all power there that the model lacks."""
+        powers = list[tuple[float, float]]()  # what the part adds to each segment, and what lacks where it adds most
+        for seen, model in zip(self.data.seen, self.fit.expected, strict=True):
+            if not seen.segments:
+                continue
+            shown = np.isfinite(seen.band_power) * (seen.bands.high - seen.bands.low)
+            added = (expected_run(rig, seen).density - model.density) * shown
+            lacking = np.nan_to_num(seen.band_power - model.density) * shown
+            raised = added > _REACHES * added.max(axis=1, keepdims=True)
+            powers += zip((added * raised).sum(axis=1).tolist(), (lacking * raised).sum(axis=1).tolist(), strict=True)
+        largest = max((added for added, _ in powers), default=0.0)
+        if largest <= 0:
+            return 0.0, 0.0
+        ratios = sorted(lacks / added for added, lacks in powers if added > _REACHES**2 * largest)
+        return float(np.sqrt(max(ratios[len(ratios) // 2], 0.0))), SHARE_OF_SIGNAL * self.signal / (2 * largest) ** 0.5
 
 
 def lacks(fit: Fit, data: Data, place: Place) -> bool:
@@ -205,8 +244,8 @@ class Harmonics:
 
 
 def harmonics(
-    context: Context, multiples: Mapping[int, Place], *, unit: Callable[[int], Part], knob: Callable[[int], Knob],
-    median: float | None = None,
+    context: Context, multiples: Mapping[int, Place | None], *, unit: Callable[[int], Part],
+    knob: Callable[[int], Knob], median: float | None = None,
 ) -> Harmonics:  # fmt: skip
     """Return amplitudes for the found multiples of a line.
 

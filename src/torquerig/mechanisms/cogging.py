@@ -52,7 +52,7 @@ class Cogging(Part):
         """Return the amplitude [N m] by motor order; equal orders (Q = 2p never, LCM = Q possible) add up."""
         orders: dict[int, float] = {}
         for order, amplitude in (
-            *((order, getattr(self, name)) for name, order in self._fixed_orders().items()),
+            *((order, getattr(self, name)) for name, order in self.fixed_orders().items()),
             *self.further.items(),
         ):
             orders[order] = orders.get(order, 0.0) + amplitude
@@ -60,12 +60,12 @@ class Cogging(Part):
 
     def held_by(self, order: int) -> tuple[str, int | None]:
         """Return the field that holds the amplitude at a motor order, and its key there where it is ``further``."""
-        names = [name for name, fixed in self._fixed_orders().items() if fixed == order]
+        names = [name for name, fixed in self.fixed_orders().items() if fixed == order]
         return (names[0], None) if names else ("further", order)
 
     def with_amplitudes(self, amplitudes: Mapping[int, float]) -> Cogging:
         """Return the same cogging with these amplitudes [N m] by motor order, and no others."""
-        values: dict[str, Any] = {**dict.fromkeys(self._fixed_orders(), 0.0), "further": {}}
+        values: dict[str, Any] = {**dict.fromkeys(self.fixed_orders(), 0.0), "further": {}}
         for order, amplitude in amplitudes.items():
             name, key = self.held_by(order)
             if key is None:
@@ -74,8 +74,8 @@ class Cogging(Part):
                 values[name][key] = amplitude
         return replace(self, **values)
 
-    def _fixed_orders(self) -> dict[str, int]:
-        """Return the motor order of each field with a fixed order."""
+    def fixed_orders(self) -> dict[str, int]:
+        """Return the motor order of each field that has one order."""
         poles = 2 * self.pole_pairs
         return {"native": lcm(self.slots, poles), "unequal_magnets": self.slots, "unequal_teeth": poles}
 

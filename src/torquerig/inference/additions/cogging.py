@@ -21,7 +21,10 @@ def propose(context: Context) -> Iterator[Addition]:
     for motor in context.rig.parts_of(Motor):
         if not motor.slots or not motor.pole_pairs or context.rig.of_kind("cogging"):
             continue
-        found = {}
+        base = mechanisms.Cogging(
+            name=free_name(context.rig, "cogging"), at=motor.name, slots=motor.slots, pole_pairs=motor.pole_pairs
+        )
+        found: dict[int, Place | None] = {int(order): None for order in context.smeared(base.fixed_orders().values())}
         for line in context.lines:
             order = context.whole(line.place)
             if order is not None:
@@ -31,12 +34,11 @@ def propose(context: Context) -> Iterator[Addition]:
         families = [by_slots | by_poles, by_slots, by_poles]
         for index, family in enumerate(families):
             if family and family not in families[:index]:
-                yield from _cogging(context, motor.name, motor.slots, motor.pole_pairs, family)
+                yield from _cogging(context, base, family)
 
 
-def _cogging(context: Context, motor: str, slots: int, pole_pairs: int, orders: dict[int, Place]) -> Iterator[Addition]:
-    name = free_name(context.rig, "cogging")
-    base = mechanisms.Cogging(name=name, at=motor, slots=slots, pole_pairs=pole_pairs)
+def _cogging(context: Context, base: mechanisms.Cogging, orders: dict[int, Place | None]) -> Iterator[Addition]:
+    name = base.name
     held = {order: base.held_by(order) for order in orders}
     found = harmonics(
         context, orders, unit=lambda order: base.with_amplitudes({order: 1.0}),
@@ -46,7 +48,7 @@ def _cogging(context: Context, motor: str, slots: int, pole_pairs: int, orders: 
         largest = max(found.medians, key=lambda order: found.start[[*found.medians].index(order)])
         yield Addition(
             mechanism="cogging", parts=(base.with_amplitudes(found.medians),), knobs=tuple(found.knobs),
-            starts=(tuple(found.start),), places=tuple(orders.values()), log_odds=_LOG_ODDS,
-            label=f"cogging of {motor}", fixed={"order_motor": (float(largest), 0.0, "1/rev")},
+            starts=(tuple(found.start),), places=tuple(filter(None, orders.values())), log_odds=_LOG_ODDS,
+            label=f"cogging of {base.at}", fixed={"order_motor": (float(largest), 0.0, "1/rev")},
             reported=(Reported("amplitude_Nm", held[largest][0], "N*m", key=held[largest][1]),),
         )  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from torquerig import mechanisms
 from torquerig.inference.addition import DECADE, Addition, Reported, free_name
@@ -19,15 +19,18 @@ _HARMONICS = 4
 
 
 def propose(context: Context) -> Iterator[Addition]:
-    """Yield a ripple for each found whole order of each motor."""
+    """Yield a ripple for each found whole order of each motor, and for those of its field that no search finds."""
     for motor in context.rig.parts_of(Motor):
         for line in context.lines:
             order = context.whole(line.place)
             if order is not None:
                 yield from _ripple(context, motor, order, context.multiples(line.place, most=_HARMONICS))
+        pairs = motor.pole_pairs or 0
+        for own in context.smeared([pairs, 2 * pairs, 6 * pairs]) if pairs else ():
+            yield from _ripple(context, motor, int(own), {1: None})
 
 
-def _ripple(context: Context, motor: Motor, order: int, multiples: dict[int, Place]) -> Iterator[Addition]:
+def _ripple(context: Context, motor: Motor, order: int, multiples: Mapping[int, Place | None]) -> Iterator[Addition]:
     name = free_name(context.rig, "commutation_ripple")
 
     def ripple(first: float, depth: float, further: tuple[float, ...] = ()) -> mechanisms.CommutationRipple:
@@ -45,7 +48,7 @@ def _ripple(context: Context, motor: Motor, order: int, multiples: dict[int, Pla
     depth, *further = found.row()
     yield Addition(
         mechanism="commutation_ripple", parts=(ripple(float(order), depth, tuple(further)),),
-        knobs=tuple(found.knobs), starts=(tuple(found.start),), places=tuple(multiples.values()),
+        knobs=tuple(found.knobs), starts=(tuple(found.start),), places=tuple(filter(None, multiples.values())),
         log_odds=_OF_THE_FIELD if of_field else _WHOLE,
         label=f"a ripple of {motor.name} at order {order}, in proportion to its torque",
         fixed={"order_motor": (float(order), 0.0, "1/rev")}, reported=(Reported("depth", "depth", "1"),),

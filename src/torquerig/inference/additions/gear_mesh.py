@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import prod
 
 from torquerig import mechanisms
@@ -33,7 +33,9 @@ def propose(context: Context) -> Iterator[Addition]:
         if not own or gear.kind == "belt":
             continue
         if gear.teeth:
-            for order, place in context.at_orders(own, _stated_orders(gear.teeth)).items():
+            orders = _stated_orders(gear.teeth)
+            smeared = {order: None for order in orders if context.smeared([order * own])}
+            for order, place in {**smeared, **context.at_orders(own, orders)}.items():
                 yield from _mesh(context, gear.name, own, order, place, log_odds=_STATED)
             continue
         for line in context.lines:
@@ -49,9 +51,12 @@ def _stated_orders(teeth: Sequence[Planetary | Spur | Worm | Belt]) -> list[floa
 
 
 def _mesh(
-    context: Context, gear: str, turns: float, teeth: float, place: Place, *, log_odds: float
+    context: Context, gear: str, turns: float, teeth: float, place: Place | None, *, log_odds: float
 ) -> Iterator[Addition]:
-    name, multiples = free_name(context.rig, "gear_mesh"), context.multiples(place, most=_HARMONICS)
+    name = free_name(context.rig, "gear_mesh")
+    multiples: Mapping[int, Place | None] = (
+        {1: None} if place is None else context.multiples(place, most=_HARMONICS)
+    )  # fmt: skip
     side, places = _side_lines(context, turns, teeth, multiples)
 
     def mesh(errors: tuple[float, ...]) -> mechanisms.GearMesh:
@@ -68,7 +73,7 @@ def _mesh(
         modulated = (Knob(name, "planet_modulation", _MODULATION_SPREAD),) if side else ()
         yield Addition(
             mechanism="gear_mesh", parts=(mesh(found.row()),), knobs=(*found.knobs, *modulated), log_odds=log_odds,
-            starts=((*found.start, *(0.0,) * len(modulated)),), places=(*multiples.values(), *places),
+            starts=((*found.start, *(0.0,) * len(modulated)),), places=(*filter(None, multiples.values()), *places),
             label=f"a transmission error of {gear} at order {teeth:g} of its output",
             fixed={"order_output": (teeth, 0.0, "1/rev")},
             reported=(Reported("transmission_error_rad", "transmission_error", "rad", key=0),),
@@ -76,7 +81,7 @@ def _mesh(
 
 
 def _side_lines(
-    context: Context, turns: float, teeth: float, multiples: dict[int, Place]
+    context: Context, turns: float, teeth: float, multiples: Mapping[int, Place | None]
 ) -> tuple[int, tuple[Place, ...]]:
     """Return the distance of found pairs of side lines from the mesh [1/rev], 0 where there are none, and the lines."""
     best, distance = dict[float, Place](), 0

@@ -25,6 +25,7 @@ Floats = NDArray[np.float64]
 _NOTHING = 1e-18  # [rad^2] a sway of a nanoradian has no skirts
 _CORE = 0.75  # [bins] half the noise bandwidth of a Hann window: what a regression takes as the line
 _SHARP = 2.1  # [bins] half the width of a line that was found by regression
+_HALF = 0.5  # [1] of a line's power: the rest, on both sides, is lower than a line by the bins that it fills
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,6 +64,12 @@ def skirts_of(twin: Twin, run: MeasuredRun, node: str) -> Skirts | None:
     steps = 0.5 * (density[1:] + density[:-1]) * np.diff(grid)
     beyond = np.append(np.cumsum(steps[::-1])[::-1], 0.0)
     return Skirts(grid, density, beyond) if beyond[0] > _NOTHING else None
+
+
+def smears(skirts: Skirts | None, seen: RunFeatures, order: float) -> bool:
+    """Return whether no segment keeps half of a line at an order of the motor where a search for lines finds it."""
+    reach = _SHARP / seen.durations
+    return skirts is not None and bool((skirts.lost(np.array(order), reach) > _HALF).all())
 
 
 def core_of(seen: RunFeatures) -> Floats:
