@@ -9,7 +9,7 @@ from torquerig.errors import InputError, RecordingError
 from torquerig.inference.addition import Addition
 from torquerig.inference.features.line_search import FoundLine, search_lines
 from torquerig.inference.features.run_features import run_features
-from torquerig.inference.fit import Data, Fit, fitted
+from torquerig.inference.fit import Data, Fit, fitted, sketched
 from torquerig.inference.knobs import with_free_load
 from torquerig.inference.measured_run import MeasuredRun, measured_runs
 from torquerig.inference.model import Model
@@ -180,11 +180,11 @@ def prepared(
         runs = measured(of)[0] if runs is None else runs
         own = (order(line.order) for run in runs for line in Twin(of.at(run.run)).lines())
         seen = features_of(runs, sorted({*also, *own}))
-        return Reading(tuple(runs), seen, fitted(of, parameters(scenario, of, runs), seen))
+        return Reading(tuple(runs), seen, sketched(of, parameters(scenario, of, runs), seen))
 
     stated = read(rig, runs)
     within = point.speed_set_point_error_max or SET_POINT_ERROR
-    reading = best_reading(stated, rig, read, set_point_error=within) if judged else stated
+    reading = (best_reading(stated, rig, read, set_point_error=within) if judged else stated).finished()
     known = reading.data.seen[0].places
     slips = bool(rig.parts_of(InductionDrive))  # its speed follows the load, which is no error of a set-point
     off = () if reading.faults or slips else off_set_points(reading.runs, error=within)

@@ -17,7 +17,7 @@ from torquerig.inference.context import Context, lacks
 from torquerig.inference.discrepancy import log_prior
 from torquerig.inference.dropped import without_needless
 from torquerig.inference.features.line_search import FoundLine
-from torquerig.inference.fit import Data, Fit, all_residuals, finished, sketched
+from torquerig.inference.fit import Data, Fit, all_residuals, finished, sketch_error, sketched
 from torquerig.inference.held_out import held_out_density
 from torquerig.inference.knobs import turned
 from torquerig.inference.likelihood import log_density_of
@@ -39,8 +39,6 @@ _NUMBERS = 2  # of these that are numbers, where others wait: what is promised o
 LEAST_GAIN = 8.0  # [nats] of posterior odds by which an addition must win, 3000 to 1: the library is never complete
 LEAST_HELD_OUT = 3.0  # [nats] by which it must make the held-out data more likely
 LEAST_OTHER, LEAST_HELD_OUT_OTHER = 3.0, 1.0  # [nats] of a nameless effect, in their sum; of a number the first
-_SKETCHED = 5.0  # [nats] by which the odds of a sketched fit may be off: of six none was by more than 1
-_SKETCHED_SHARE = 0.1  # [1] the same of what it gains: ripples of 754 and 769 nats were off by 39 and by 15
 _PER_PARAMETER = 1.5  # [nats] that the freedom of a parameter costs before it is fitted, for the screening
 
 
@@ -118,7 +116,7 @@ def _best(
     best, others = None, list[_Candidate]()
     for sketch in sorted(sketches, key=lambda one: -one.odds):
         gain = sketch.model.log_odds - model.log_odds
-        error = max(_SKETCHED, _SKETCHED_SHARE * (sketch.odds - model.log_odds - before))
+        error = sketch_error(sketch.odds - model.log_odds - before)
         least = 0.0 if _is_nameless(sketch.added) else LEAST_OTHER
         if gain <= least - error or (best is not None and sketch.odds <= best.odds - error):
             others.append(sketch)

@@ -60,6 +60,6 @@ def _clearest(projection: Projection, own: Sequence[Addition]) -> list[Addition]
         return list(own)
     sizes = []
     for each in own:
-        change = projection.change(each, np.array(each.starts[0]) * 0.0)
+        change = projection.change(each, np.zeros(len(each.knobs)))
         sizes.append(0.0 if change is None else float(np.linalg.norm(change)))
     return [own[at] for at in np.argsort(sizes)[::-1][:_PER_MECHANISM].tolist()]

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from torquerig.inference.fit import sketch_error
 from torquerig.inference.readings.clock import rescaled, set_point, speed_factor
 from torquerig.inference.readings.other_teeth import other_teeth
 from torquerig.inference.readings.reading import CLEARLY, Read, Reading, gain_of, per_feature
@@ -28,7 +29,11 @@ def best_reading(as_stated: Reading, rig: Rig, read: Read, *, set_point_error: f
     made = rescaled(as_stated.runs, factor)
     others = [_corrected(replace(read(rig, runs), faults=(fault,)), rig) for runs, fault in made]
     stated = replace(best, faults=(*best.faults, set_point(factor)))
-    ranked = sorted([stated, *others], key=lambda each: -per_feature(each.fit))
+    sketch = max([stated, *others], key=lambda each: per_feature(each.fit))
+    behind = [gain_of(sketch.fit, each.fit) for each in (stated, *others)]
+    reach = CLEARLY + sketch_error(max(behind))
+    within = [each for each, gain in zip((stated, *others), behind, strict=True) if gain <= reach]
+    ranked = sorted((each.finished() for each in within), key=lambda each: -per_feature(each.fit))
     first = ranked[0]
     near = [each.faults[-1].kind for each in ranked[1:] if gain_of(first.fit, each.fit) <= CLEARLY]
     return replace(first, faults=(*first.faults[:-1], replace(first.faults[-1], equivalent_to=tuple(near))))

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
-from torquerig.inference.fit import Data, Fit
+from torquerig.inference.fit import Data, Fit, finished
 from torquerig.inference.measured_run import MeasuredRun
 from torquerig.inference.places import Place
 from torquerig.rig.assembly import Rig
@@ -53,6 +53,10 @@ class Reading:
     fit: Fit
     faults: tuple[SetupFault, ...] = ()
 
+    def finished(self) -> Reading:
+        """Return the reading with the fit at the maximum of its posterior."""
+        return replace(self, fit=finished(self.fit, self.data))
+
 
 class Read(Protocol):
     """Returns runs as a rig reads them, by default measured anew, with features at its lines and at other places."""
@@ -60,7 +64,7 @@ class Read(Protocol):
     def __call__(
         self, rig: Rig, /, runs: Sequence[MeasuredRun] | None = None, *, also: Sequence[Place] = ()
     ) -> Reading:
-        """Return the reading with the nominal fit."""
+        """Return the reading with a sketch of the nominal fit: most readings lose by far."""
 
 
 def per_feature(fit: Fit) -> float:

@@ -7,7 +7,7 @@ from math import log
 
 import numpy as np
 
-from torquerig.inference.fit import fitted
+from torquerig.inference.fit import Fit, finished, sketched
 from torquerig.inference.likelihood import floor_density
 from torquerig.inference.one_number import without_priors
 from torquerig.inference.prediction.expected_run import expected_run
@@ -35,15 +35,16 @@ def other_scale(reading: Reading, rig: Rig) -> Reading:
     knobs, start = list(fit.knobs), np.zeros(len(fit.knobs))
     knobs[columns[0]] = replace(knobs[columns[0]], spread=_WIDE)
     start[columns[0]] = np.log(ratio) / _WIDE
-    again = fitted(fit.rig, knobs, reading.data, start=start)
+    again = sketched(fit.rig, knobs, reading.data, start=start)
     stated = knobs[columns[0]].value(fit.rig)
     found = knobs[columns[0]].turned(stated, float(again.positions[columns[0]]))
     if slip(found / stated) != found / stated:  # then it is that slip, and known as well as the stated value was
         found = stated * slip(found / stated)
         sensor = replace(fit.rig.part(rig.measured), scale=found)  # type: ignore[call-arg]
-        again = fitted(fit.rig.changed(sensor), fit.knobs, reading.data, nominal=fit.nominal)
+        again = sketched(fit.rig.changed(sensor), fit.knobs, reading.data, nominal=fit.nominal)
     if gain_of(again, fit) <= CLEARLY:
         return reading
+    again = finished(again, reading.data)
     ahead = again.log_evidence - _best_number(reading, columns[0])
     if ahead < 0:
         return reading
@@ -61,7 +62,7 @@ def _best_number(reading: Reading, scale: int) -> float:
 
     Those are fitted that would gain most without their prior, whether or not the fit has moved them.
     """
-    fit, best = reading.fit, -np.inf
+    fit, fits = reading.fit, list[Fit]()
     free, gains = without_priors(fit)
     largest = max(float(np.abs(seen.level).max(initial=0.0)) for seen in reading.data.seen)
     wide = [_WIDE if knob.factor else _OF_RANGE * largest for knob in fit.knobs]
@@ -71,8 +72,9 @@ def _best_number(reading: Reading, scale: int) -> float:
         knob = fit.knobs[at]
         knobs, start = list(fit.knobs), np.zeros(len(fit.knobs))
         knobs[at], start[at] = replace(knob, spread=wide[at]), np.clip(free[at] * knob.spread / wide[at], -_MOST, _MOST)
-        best = max(best, fitted(fit.rig, knobs, reading.data, start=start).log_evidence)
-    return best
+        fits.append(sketched(fit.rig, knobs, reading.data, start=start))
+    best = max(fits, key=lambda one: one.log_evidence, default=None)
+    return -np.inf if best is None else finished(best, reading.data).log_evidence
 
 
 def slip(ratio: float) -> float:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.inference.features.run_features import RunFeatures
-from torquerig.inference.fit import fitted
+from torquerig.inference.fit import sketched
 from torquerig.inference.measured_run import MeasuredRun
 from torquerig.inference.readings.reading import CLEARLY, Reading, SetupFault, gain_of
 from torquerig.rig.assembly import Rig
@@ -32,7 +32,7 @@ def other_sign(reading: Reading, rig: Rig) -> Reading:
     by_name = {run.name: run for run in runs}
     seen = tuple(_reversed(one, by_name[one.run.name]) for one in reading.data.seen)
     data, fit = replace(reading.data, seen=seen), reading.fit
-    again = fitted(fit.rig, fit.knobs, data)
+    again = sketched(fit.rig, fit.knobs, data)
     if gain_of(again, fit) <= CLEARLY:
         return reading
     ahead = again.log_evidence - _with_another_zero(reading, rig, measured, expected)
@@ -56,7 +56,7 @@ def _with_another_zero(reading: Reading, rig: Rig, measured: Floats, expected: F
     wide = _OF_RANGE * float(np.abs(measured).max())
     start = np.zeros(len(knobs))
     knobs[columns[0]], start[columns[0]] = replace(knobs[columns[0]], spread=wide), (measured - expected).mean() / wide
-    return fitted(fit.rig, knobs, reading.data, start=start).log_evidence
+    return sketched(fit.rig, knobs, reading.data, start=start).log_evidence
 
 
 def _reversed(seen: RunFeatures, run: MeasuredRun) -> RunFeatures:
