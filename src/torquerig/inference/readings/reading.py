@@ -6,7 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Protocol
 
-from torquerig.inference.fit import Data, Fit, finished
+import numpy as np
+
+from torquerig.inference.climb import Case, Point, resized
+from torquerig.inference.fit import Data, Fit, finished, sketched
+from torquerig.inference.knobs import Knob
+from torquerig.inference.likelihood import Discrepancy
 from torquerig.inference.measured_run import MeasuredRun
 from torquerig.inference.places import Place
 from torquerig.rig.assembly import Rig
@@ -65,6 +70,30 @@ class Read(Protocol):
         self, rig: Rig, /, runs: Sequence[MeasuredRun] | None = None, *, also: Sequence[Place] = ()
     ) -> Reading:
         """Return the reading with a sketch of the nominal fit: most readings lose by far."""
+
+
+def sketched_like(
+    fit: Fit, data: Data, *, rig: Rig | None = None, knob: tuple[int, Knob, float] | None = None
+) -> Fit:  # fmt: skip
+    """Return a sketch from the medians of the priors on, with the derivatives of a fit to other numbers.
+
+    Those of logarithms hardly depend on a scale. A step that falls short has those made anew that it follows from.
+
+    Parameters
+    ----------
+    rig : Rig, optional
+        With another number in a part.
+    knob : (int, Knob, float), optional
+        A parameter with another spread, in place of that of so many, and where it begins.
+    """
+    knobs, start = list(fit.knobs), np.zeros(len(fit.knobs))
+    point = Point(fit.positions, fit.gains, fit.expected, fit.jacobian)
+    slopes = resized(Case(fit.rig, fit.knobs, data, fit.off), point, Discrepancy()).slopes
+    if knob is not None:
+        at = knob[0]
+        knobs[at], start[at] = knob[1:]
+        slopes[:, at] *= knobs[at].spread / fit.knobs[at].spread
+    return sketched(rig or fit.rig, knobs, data, start=start, jacobian=slopes, nominal=fit.nominal if rig else None)
 
 
 def per_feature(fit: Fit) -> float:

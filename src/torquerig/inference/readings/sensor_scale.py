@@ -7,11 +7,11 @@ from math import log
 
 import numpy as np
 
-from torquerig.inference.fit import Fit, finished, sketched
+from torquerig.inference.fit import Fit, finished
 from torquerig.inference.likelihood import floor_density
 from torquerig.inference.one_number import without_priors
 from torquerig.inference.prediction.expected_run import expected_run
-from torquerig.inference.readings.reading import CLEARLY, Reading, SetupFault, gain_of
+from torquerig.inference.readings.reading import CLEARLY, Reading, SetupFault, gain_of, sketched_like
 from torquerig.rig.assembly import Rig
 
 SLIPS = tuple(sorted(one**sign for one in (2**0.5, 2.0, 4.0, 10.0, 100.0, 1000.0) for sign in (-1, 1)))
@@ -32,16 +32,14 @@ def other_scale(reading: Reading, rig: Rig) -> Reading:
     columns = [at for at, knob in enumerate(fit.knobs) if (knob.part, knob.field) == (rig.measured, "scale")]
     if not columns or abs(np.log(ratio)) < _FAR_SCALE:
         return reading
-    knobs, start = list(fit.knobs), np.zeros(len(fit.knobs))
-    knobs[columns[0]] = replace(knobs[columns[0]], spread=_WIDE)
-    start[columns[0]] = np.log(ratio) / _WIDE
-    again = sketched(fit.rig, knobs, reading.data, start=start)
-    stated = knobs[columns[0]].value(fit.rig)
-    found = knobs[columns[0]].turned(stated, float(again.positions[columns[0]]))
+    wide = replace(fit.knobs[columns[0]], spread=_WIDE)
+    again = sketched_like(fit, reading.data, knob=(columns[0], wide, float(np.log(ratio)) / _WIDE))
+    stated = wide.value(fit.rig)
+    found = wide.turned(stated, float(again.positions[columns[0]]))
     if slip(found / stated) != found / stated:  # then it is that slip, and known as well as the stated value was
         found = stated * slip(found / stated)
         sensor = replace(fit.rig.part(rig.measured), scale=found)  # type: ignore[call-arg]
-        again = sketched(fit.rig.changed(sensor), fit.knobs, reading.data, nominal=fit.nominal)
+        again = sketched_like(fit, reading.data, rig=fit.rig.changed(sensor))
     if gain_of(again, fit) <= CLEARLY:
         return reading
     again = finished(again, reading.data)
@@ -69,10 +67,9 @@ def _best_number(reading: Reading, scale: int) -> float:
     far = [at for at, knob in enumerate(fit.knobs)
            if at != scale and knob.spread < wide[at] and abs(free[at]) > _MOVED]  # fmt: skip
     for at in sorted(far, key=lambda one: -gains[one])[:_NUMBERS]:
-        knob = fit.knobs[at]
-        knobs, start = list(fit.knobs), np.zeros(len(fit.knobs))
-        knobs[at], start[at] = replace(knob, spread=wide[at]), np.clip(free[at] * knob.spread / wide[at], -_MOST, _MOST)
-        fits.append(sketched(fit.rig, knobs, reading.data, start=start))
+        start = float(np.clip(free[at] * fit.knobs[at].spread / wide[at], -_MOST, _MOST))
+        knob = at, replace(fit.knobs[at], spread=wide[at]), start
+        fits.append(sketched_like(fit, reading.data, knob=knob))
     best = max(fits, key=lambda one: one.log_evidence, default=None)
     return -np.inf if best is None else finished(best, reading.data).log_evidence
 

@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.inference.features.run_features import RunFeatures
-from torquerig.inference.fit import sketched
 from torquerig.inference.measured_run import MeasuredRun
-from torquerig.inference.readings.reading import CLEARLY, Reading, SetupFault, gain_of
+from torquerig.inference.readings.reading import CLEARLY, Reading, SetupFault, gain_of, sketched_like
 from torquerig.rig.assembly import Rig
 
 Floats = NDArray[np.float64]
@@ -32,7 +31,7 @@ def other_sign(reading: Reading, rig: Rig) -> Reading:
     by_name = {run.name: run for run in runs}
     seen = tuple(_reversed(one, by_name[one.run.name]) for one in reading.data.seen)
     data, fit = replace(reading.data, seen=seen), reading.fit
-    again = sketched(fit.rig, fit.knobs, data)
+    again = sketched_like(fit, data)
     if gain_of(again, fit) <= CLEARLY:
         return reading
     ahead = again.log_evidence - _with_another_zero(reading, rig, measured, expected)
@@ -49,14 +48,13 @@ def other_sign(reading: Reading, rig: Rig) -> Reading:
 
 def _with_another_zero(reading: Reading, rig: Rig, measured: Floats, expected: Floats) -> float:
     """Return the evidence [nats] with a zero that nobody set: it turns the sign of all mean torques too."""
-    fit, knobs = reading.fit, list(reading.fit.knobs)
-    columns = [at for at, knob in enumerate(knobs) if (knob.part, knob.field) == (rig.measured, "zero")]
+    fit = reading.fit
+    columns = [at for at, knob in enumerate(fit.knobs) if (knob.part, knob.field) == (rig.measured, "zero")]
     if not columns:
         return -np.inf
     wide = _OF_RANGE * float(np.abs(measured).max())
-    start = np.zeros(len(knobs))
-    knobs[columns[0]], start[columns[0]] = replace(knobs[columns[0]], spread=wide), (measured - expected).mean() / wide
-    return sketched(fit.rig, knobs, reading.data, start=start).log_evidence
+    knob = columns[0], replace(fit.knobs[columns[0]], spread=wide), float((measured - expected).mean()) / wide
+    return sketched_like(fit, reading.data, knob=knob).log_evidence
 
 
 def _reversed(seen: RunFeatures, run: MeasuredRun) -> RunFeatures:
