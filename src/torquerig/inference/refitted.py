@@ -1,7 +1,7 @@
 """A model with fewer parts or parameters, fitted anew from where the larger one is.
 
 The gains of the load and the sizes of the discrepancy of the larger model may lead to a lower maximum. A fit that
-begins without them is compared with one that begins with them.
+begins without them is compared with one that begins with them, and the better sketch of both is finished.
 """
 
 from __future__ import annotations
@@ -10,10 +10,15 @@ from collections.abc import Callable
 from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig.errors import TorquerigError
-from torquerig.inference.fit import Data, Fit, fitted
+from torquerig.inference.climb import Case, Point, resized
+from torquerig.inference.fit import Data, Fit, finished, sketched
 from torquerig.inference.knobs import Knob
+from torquerig.inference.likelihood import Discrepancy
+
+Floats = NDArray[np.float64]
 
 
 def refitted(
@@ -29,14 +34,21 @@ def refitted(
         Names of the parts that are left out.
     """
     kept = [at for at, knob in enumerate(fit.knobs) if keeps(knob)]
-    jacobian = fit.jacobian[:, [*kept, *range(len(fit.knobs), fit.jacobian.shape[1])]]
+    columns = [*kept, *range(len(fit.knobs), fit.jacobian.shape[1])]
     rig = fit.rig
     try:
         for name in sorted(without):
             rig = rig.without(name)
-        again = partial(fitted, rig, tuple(fit.knobs[at] for at in kept), data, start=fit.positions[kept],
+        again = partial(sketched, rig, tuple(fit.knobs[at] for at in kept), data, start=fit.positions[kept],
                         nominal=fit.nominal)  # fmt: skip
-        both = again(gains=fit.gains, off=fit.off, jacobian=np.array(jacobian)), again()
-        return max(both, key=lambda one: one.log_evidence)
+        both = (again(gains=fit.gains, off=fit.off, jacobian=fit.jacobian[:, columns]),
+                again(jacobian=slopes_at_medians(fit, data)[:, columns]))  # fmt: skip
+        return finished(max(both, key=lambda one: one.log_evidence), data)
     except (TorquerigError, ValueError, np.linalg.LinAlgError):
         return None
+
+
+def slopes_at_medians(fit: Fit, data: Data) -> Floats:
+    """Return the derivatives of a fit for another that begins at the medians of the sizes of the discrepancy."""
+    point = Point(fit.positions, fit.gains, fit.expected, fit.jacobian)
+    return resized(Case(fit.rig, fit.knobs, data, fit.off), point, Discrepancy()).slopes

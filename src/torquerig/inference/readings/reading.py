@@ -8,12 +8,11 @@ from typing import Protocol
 
 import numpy as np
 
-from torquerig.inference.climb import Case, Point, resized
 from torquerig.inference.fit import Data, Fit, finished, sketched
 from torquerig.inference.knobs import Knob
-from torquerig.inference.likelihood import Discrepancy
 from torquerig.inference.measured_run import MeasuredRun
 from torquerig.inference.places import Place
+from torquerig.inference.refitted import slopes_at_medians
 from torquerig.rig.assembly import Rig
 
 CLEARLY = 15.0  # [nats] by which another reading must explain the features better: 3e6 to 1
@@ -86,9 +85,7 @@ def sketched_like(
     knob : (int, Knob, float), optional
         A parameter with another spread, in place of that of so many, and where it begins.
     """
-    knobs, start = list(fit.knobs), np.zeros(len(fit.knobs))
-    point = Point(fit.positions, fit.gains, fit.expected, fit.jacobian)
-    slopes = resized(Case(fit.rig, fit.knobs, data, fit.off), point, Discrepancy()).slopes
+    knobs, start, slopes = list(fit.knobs), np.zeros(len(fit.knobs)), slopes_at_medians(fit, data)
     if knob is not None:
         at = knob[0]
         knobs[at], start[at] = knob[1:]
