@@ -31,7 +31,7 @@ def struck(order, *, seed, size=0.5, frequency=420.0, damping=0.03):
 
 
 def found(*runs):
-    return search_impacts([run_features(run, []) for run in runs], 1.0)
+    return search_impacts(tuple(run_features(run, []) for run in runs), 1.0)
 
 
 def test_impacts_are_found_at_their_order_and_not_at_a_multiple():
@@ -65,7 +65,7 @@ def test_impacts_that_slip_leave_in_a_line_what_a_random_walk_leaves(multiple, s
 def test_impacts_of_a_slow_shaft_are_found_over_the_whole_run():
     # a block has 2 turns of the shaft
     runs = [struck(3.57 / 20, seed=seed) for seed in (5, 6)]
-    impact = search_impacts([run_features(run, []) for run in runs], 1 / 20)
+    impact = search_impacts(tuple(run_features(run, []) for run in runs), 1 / 20)
     assert impact.order == pytest.approx(3.57, abs=0.05)
 
 
@@ -96,7 +96,7 @@ def test_impacts_that_the_load_makes_stronger_once_a_turn_keep_their_order():
         return replace(run, torque=run.torque * (1 + 0.8 * np.cos(run.angle / 20)))
 
     runs = [modulated(struck(3.31 / 20, seed=seed)) for seed in (7, 8)]
-    impact = search_impacts([run_features(run, []) for run in runs], 1 / 20)
+    impact = search_impacts(tuple(run_features(run, []) for run in runs), 1 / 20)
     assert impact.order == pytest.approx(3.31, abs=0.05)
 
 

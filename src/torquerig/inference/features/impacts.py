@@ -65,7 +65,8 @@ class _Beats:
     turned: float
 
 
-def search_impacts(seen: Sequence[RunFeatures], turns: float) -> Impact | None:
+@lru_cache(maxsize=8)
+def search_impacts(seen: tuple[RunFeatures, ...], turns: float) -> Impact | None:
     """Return the clearest beat of a shaft that turns ``turns`` times per turn of the motor, or None.
 
     Searched are single blocks, in which an angle that was estimated hardly drifts, and all blocks of a run together,

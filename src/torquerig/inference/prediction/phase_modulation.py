@@ -89,17 +89,18 @@ def _sways(twin: Twin, seen: RunFeatures, lines: Sequence[LineSource]) -> Floats
     answer = np.zeros((len(lines), len(lines), turning.size))
     known = (twin.shafts.frequency <= seen.run.followed).astype(float)
     first = [row for row, line in enumerate(lines) if line.transfer.answer is None]
+    orders = np.array([line.order for line in lines])
     for node in dict.fromkeys(lines[row].node for row in first):
-        made = dict[int, Response | None]()  # causes that act alike are evaluated once
-        for slow in first:
-            line = lines[slow]
-            faster = [row for row in first if lines[row].node == node and lines[row].order > line.order]
-            if faster and id(line.transfer) not in made:
-                made[id(line.transfer)] = _swayed_by(twin, line.transfer, node, known)
-            response = made.get(id(line.transfer))
-            if faster and response is not None:
-                theta = np.abs(twin.shafts.at(response, line.order * turning))
-                answer[faster, slow] = np.array([lines[row].order for row in faster])[:, None] * theta
+        own = np.array([row for row in first if lines[row].node == node])
+        slow = [row for row in first if orders[row] < orders[own].max()]
+        different = {id(lines[row].transfer): lines[row].transfer for row in slow}
+        made = {each: _swayed_by(twin, cause, node, known) for each, cause in different.items()}
+        found = [(row, each) for row in slow if (each := made[id(lines[row].transfer)]) is not None]
+        if found:
+            rows = np.array([row for row, _ in found])
+            theta = np.abs(twin.shafts.each_at([each for _, each in found], orders[rows, None] * turning))
+            faster = orders[own, None, None] * (orders[own, None, None] > orders[None, rows, None])
+            answer[np.ix_(own, rows)] = faster * theta
     return answer
 
 

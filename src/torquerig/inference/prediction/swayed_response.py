@@ -14,9 +14,9 @@ Willsky 1997, Signals and Systems, 4).
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cache, partial
 from math import pi
 
 import numpy as np
@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from torquerig.inference.blocks import Block
 from torquerig.inference.features.run_features import RunFeatures
-from torquerig.linear_twin.twin import LineSource, Passage, passed
+from torquerig.linear_twin.twin import LineSource, Passage
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -65,19 +65,22 @@ def swayed_lines(
     run = seen.run
     if not (run.has_encoder and np.isinf(run.followed)):
         return None
-    spread = seen.kept.get("spread", None, lambda: _spread(seen))
+    spread = _spread_of(seen)
     steep = np.square(steepness * spread) > (_STEEP if run.is_steady else _STEEP_IN_A_SWEEP)
     if not steep.any():
         return None
     kept, about = np.ones(gain.shape), np.zeros((*gain.shape, seen.bands.low.size))
     first = {id(lines[row].transfer): lines[row].transfer for row in np.flatnonzero(steep.any(axis=1)).tolist()}
-    passages = {each: _content(passage) for each, passage in first.items()}
-    for row, segment in zip(*np.nonzero(steep), strict=True):
-        line, size = lines[row], float(gain[row, segment])
-        make = partial(_line_behind, seen, line, segment, float(spread[segment]), size)
-        key = line.order, size, passages[id(line.transfer)]
-        found = seen.kept.get(f"behind, segment {segment}, order {line.order:.9g}", key, make)
-        kept[row, segment], about[row, segment] = found
+    for each, passage in first.items():
+        rows = [row for row in np.flatnonzero(steep.any(axis=1)).tolist() if id(lines[row].transfer) == each]
+        pairs = [(lines[row].order, int(segment)) for row in rows for segment in np.flatnonzero(steep[row])]
+        content, responses = _content(passage), cache(partial(_responses, seen, passage, tuple(dict.fromkeys(pairs))))
+        for row in rows:
+            for segment in np.flatnonzero(steep[row]).tolist():
+                order, size = lines[row].order, float(gain[row, segment])
+                make = partial(_line_behind, seen, order, segment, size, responses)
+                name = f"behind, segment {segment}, order {order:.9g}"
+                kept[row, segment], about[row, segment] = seen.kept.get(name, (order, size, content), make)
     return SwayedLines(kept, about)
 
 
@@ -88,27 +91,33 @@ def _content(passage: Passage) -> tuple[Hashable, ...]:
     return twin.shafts.frequency.tobytes(), passage.response.tobytes(), answer, passage.slower, twin.cutoff, twin.scale
 
 
+def _responses(
+    seen: RunFeatures, passage: Passage, pairs: Sequence[tuple[float, int]]
+) -> dict[tuple[float, int], Complex]:  # fmt: skip
+    """Return the transfer at the components of the waves of each order in each segment, in the order of the waves."""
+    at = [np.concatenate([np.zeros(0), *(each.frequency.ravel() for each in _waves_of(seen, *one))]) for one in pairs]
+    found = np.split(passage(np.concatenate(at)), np.cumsum([each.size for each in at])[:-1])
+    return dict(zip(pairs, found, strict=True))
+
+
 def _line_behind(
-    seen: RunFeatures, line: LineSource, segment: int, spread: float, gain: float
+    seen: RunFeatures, order: float, segment: int, gain: float,
+    responses: Callable[[], dict[tuple[float, int], Complex]],
 ) -> tuple[float, Floats]:  # fmt: skip
     """Return the relative power of a line in a segment, and the density in each band relative to it."""
-    waves = seen.kept.get(
-        f"waves of segment {segment}, order {line.order:.9g}", line.order,
-        lambda: _waves(seen, line.order, segment, spread),
-    )  # fmt: skip
+    waves = _waves_of(seen, order, segment)
     if not waves:
         return 1.0, np.zeros(seen.bands.low.size)
-    at = np.concatenate([wave.frequency for wave in waves])
-    return _behind(waves, passed([line.transfer], at[None])[0] / gain, seen, segment)
+    return _behind(waves, responses()[order, segment] / gain, seen, segment)
 
 
 @dataclass(frozen=True, eq=False)
 class _Wave:
-    """A source that turns with the measured angle in a block and its margins, about its mean frequency.
+    """A source that turns with the measured angle in blocks of one length and their margins, about its mean frequency.
 
-    Its transform ``spectrum`` has the components ``frequency`` [Hz], shape (samples,). Of the block itself, ``inside``,
-    are the wave ``source``, the ``window`` of the lines and of the bands, and the band of each component,
-    ``bands.size`` where it is in none. The bands leave out ``hole`` of their widths [Hz], shape (bands,).
+    Its transform ``spectrum`` has the components ``frequency`` [Hz], shape (blocks, samples). Of the blocks themselves,
+    ``inside``, are the wave ``source``, the ``window`` of the lines and of the bands, and the band of each component,
+    ``bands.size`` where it is in none. Of all bands of the blocks ``width`` is left [Hz], shape (bands,).
     """
 
     spectrum: Complex
@@ -120,6 +129,10 @@ class _Wave:
     width: Floats
 
 
+def _spread_of(seen: RunFeatures) -> Floats:
+    return seen.kept.get("spread", None, lambda: _spread(seen))
+
+
 def _spread(seen: RunFeatures) -> Floats:
     """Return the relative standard deviation of the speed in each segment [1]."""
     answer = []
@@ -129,8 +142,13 @@ def _spread(seen: RunFeatures) -> Floats:
     return np.array(answer)
 
 
+def _waves_of(seen: RunFeatures, order: float, segment: int) -> tuple[_Wave, ...]:
+    name = f"waves of segment {segment}, order {order:.9g}"
+    return seen.kept.get(name, order, lambda: _waves(seen, order, segment, float(_spread_of(seen)[segment])))
+
+
 def _waves(seen: RunFeatures, order: float, segment: int, spread: float) -> tuple[_Wave, ...]:
-    """Return the source of an order in each block of a segment; none where its components reach to standstill."""
+    """Return the source of an order in the blocks of a segment; none where its components reach to standstill."""
     middle, duration = order * abs(float(seen.speed[segment])) / (2 * pi), float(seen.durations[segment])
     reach = _REACH * spread * middle + 2 / duration
     every = int(seen.run.rate / (2 * reach))
@@ -140,7 +158,18 @@ def _waves(seen: RunFeatures, order: float, segment: int, spread: float) -> tupl
     leakage = float(seen.line_excluded[segment, nearest])
     blocks = seen.segments[segment].blocks
     made = (_wave(seen, block, order, middle=middle, every=every, leakage=leakage) for block in blocks)
-    return tuple(wave for wave in made if wave is not None)
+    alike = dict[tuple[object, ...], list[_Wave]]()
+    for wave in (each for each in made if each is not None):
+        alike.setdefault((wave.frequency.shape, wave.inside.start, wave.inside.stop), []).append(wave)
+    return tuple(map(_together, alike.values()))
+
+
+def _together(waves: Sequence[_Wave]) -> _Wave:
+    parts = (np.concatenate([getattr(each, name) for each in waves])
+             for name in ("spectrum", "frequency", "source", "band"))  # fmt: skip
+    spectrum, frequency, source, band = parts
+    width = np.sum([each.width for each in waves], axis=0)
+    return _Wave(spectrum, frequency, waves[0].inside, source, waves[0].window, band, width)
 
 
 def _wave(
@@ -164,8 +193,8 @@ def _wave(
     band = np.searchsorted(edges, at, side="right") - 1
     band[(band < 0) | ((at >= without[0]) & (at <= without[1]))] = seen.bands.low.size
     return _Wave(
-        np.fft.fft(wave), np.asarray(middle + np.fft.fftfreq(count, 1 / rate)), inside, source,
-        np.hanning(source.size + 2)[1:-1], band, np.diff(edges) - np.diff(np.clip(edges, *without)),
+        np.fft.fft(wave)[None], np.asarray(middle + np.fft.fftfreq(count, 1 / rate))[None], inside, source[None],
+        np.hanning(source.size + 2)[1:-1], band[None], np.diff(edges) - np.diff(np.clip(edges, *without)),
     )  # fmt: skip
 
 
@@ -176,15 +205,16 @@ def _behind(
     count, kept, first = seen.bands.low.size, 0.0, 0
     summed, width = np.zeros(count), np.zeros(count)
     for each in waves:
-        own = response[first : first + each.frequency.size]
+        own = response[first : first + each.frequency.size].reshape(each.frequency.shape)
         first += each.frequency.size
-        out = np.fft.ifft(each.spectrum * own)[each.inside]
-        mean = (each.window * each.source.conj()) @ out / each.window.sum()
-        rest = np.fft.fft(each.window * (out - mean * each.source))
-        power = (np.square(rest.real) + np.square(rest.imag)) / (rest.size * float(each.window @ each.window))
-        summed += np.bincount(each.band, power, minlength=count + 1)[:count]
+        out = np.fft.ifft(each.spectrum * own)[:, each.inside]
+        mean = (each.source.conj() * out) @ each.window / each.window.sum()
+        rest = np.fft.fft(each.window * (out - mean[:, None] * each.source))
+        power = (np.square(rest.real) + np.square(rest.imag)) / (each.window.size * float(each.window @ each.window))
+        summed += np.bincount(each.band.ravel(), power.ravel(), minlength=count + 1)[:count]
         width += each.width
-        kept += float(abs(mean) ** 2)
-    bins = len(waves) / float(seen.durations[segment])  # less than a bin in each block shows nothing
+        kept += float(np.square(np.abs(mean)).sum())
+    blocks = sum(len(each.frequency) for each in waves)
+    bins = blocks / float(seen.durations[segment])  # less than a bin in each block shows nothing
     density = np.where(width > bins, summed / np.maximum(width, bins), 0.0)
-    return kept / len(waves), density / max(kept / len(waves), 1e-12)
+    return kept / blocks, density / max(kept / blocks, 1e-12)
