@@ -9,11 +9,12 @@ from tests.inference.pump_bench import pump_scenario, recorded
 from torquerig import mechanisms
 from torquerig.errors import InputError
 from torquerig.inference.addition import Addition, Reported
+from torquerig.inference.context import Context
 from torquerig.inference.engine import diagnose, prepared
 from torquerig.inference.isolability.beforehand import beforehand
 from torquerig.inference.isolability.classes import ALIKE, inseparable, separation
 from torquerig.inference.isolability.separating import separating_run
-from torquerig.inference.isolability.signatures import Signature
+from torquerig.inference.isolability.signatures import Projection, Signature
 
 
 @pytest.fixture(scope="module")
@@ -93,3 +94,12 @@ def test_no_run_separates_a_model_from_itself(ready):
 def test_what_a_diagnosis_refuses_is_refused_beforehand(scenario):
     with pytest.raises(InputError, match="no recording has this name"):
         prepared(scenario, recorded(scenario), held_out=["other.parquet"])
+
+
+def test_a_change_is_computed_once_for_a_hypothesis_at_a_position(ready):
+    drift = mechanisms.SensorDrift(name="drift", span=1.0, time_constant=None)
+    each = Addition(mechanism="sensor_drift", parts=(drift,), label="drift")
+    projection = Projection(Context(ready.nominal, ready.data, ()))
+    change = projection.change(each, np.zeros(0))
+    assert np.abs(change).max() > 0
+    assert projection.change(each, np.zeros(0)) is change

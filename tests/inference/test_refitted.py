@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from tests.inference.drawn_runs import drawn_run, steady
 from tests.inference.pump_bench import pump_scenario
 from torquerig import mechanisms
+from torquerig.inference import climb
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.fit import Data, fitted, sketched
 from torquerig.inference.knobs import Knob, with_free_load
@@ -48,3 +50,15 @@ def test_a_part_that_others_need_cannot_be_left_out(case):
     rig, knobs, data = case
     full = sketched(rig, knobs, data, iterations=1)
     assert refitted(full, data, keeps=lambda knob: knob.part != "pump", without=frozenset({"pump"})) is None
+
+
+def test_sketches_of_a_smaller_model_begin_with_the_derivatives_of_the_larger_one(case, monkeypatch):
+    full = fitted(*case)
+    made, slopes_at = list[bool](), climb.slopes_at
+    monkeypatch.setattr("torquerig.inference.refitted.finished", lambda fit, _: fit)
+    monkeypatch.setattr(
+        climb, "slopes_at", lambda at, point, *, kept=None: made.append(kept is None) or slopes_at(at, point, kept=kept)
+    )
+    again = refitted(full, case[2], keeps=lambda _: True)
+    assert not any(made)
+    assert np.abs(again.positions - full.positions).max() < 0.3

@@ -75,16 +75,14 @@ class Projection:
         fit, data = context.fit, context.data
         self.base = all_residuals(data, fit.expected, fit.gains, fit.off)
         self.along = np.linalg.qr(np.concatenate([fit.jacobian, np.eye(fit.jacobian.shape[1])]))[0]
-        self._kept: dict[tuple[int, bytes], Floats | None] = {}
-        self._held = list[Addition]()  # an address is that of no other one while it is held
+        self._kept: dict[tuple[int, bytes], tuple[Addition, Floats | None]] = {}  # an address is unique while held
 
     def change(self, each: Addition, positions: Floats) -> Floats | None:
         """Return what an addition with its parameters at ``positions`` changes; None where there is no such rig."""
         key = id(each), positions.tobytes()
         if key not in self._kept:
-            self._held.append(each)
-            self._kept[key] = self._changed(each, positions)
-        return self._kept[key]
+            self._kept[key] = each, self._changed(each, positions)
+        return self._kept[key][1]
 
     def _changed(self, each: Addition, positions: Floats) -> Floats | None:
         fit, data = self.context.fit, self.context.data

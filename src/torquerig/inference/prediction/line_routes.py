@@ -30,8 +30,6 @@ class LineRoutes:
         Share of its power that shows there [1]: a Hann window passes less of a line next to the one looked for.
     band : ndarray
         Index of the band that it is in, where it is in no place; -1 above and below all bands.
-    width : ndarray
-        Width of that band [Hz].
     aligned : ndarray of bool
         Whether it is so near to its place that it keeps its phase to a line there over a block.
     """
@@ -39,7 +37,6 @@ class LineRoutes:
     place: Indices
     share: Floats
     band: Indices
-    width: Floats
     aligned: NDArray[np.bool_]
 
 
@@ -51,7 +48,7 @@ def line_routes(seen: RunFeatures, frequency: Floats) -> LineRoutes:
 def _routes(seen: RunFeatures, frequency: Floats) -> LineRoutes:
     lines, count = frequency.shape
     place, band = (np.full((lines, count), -1, dtype=np.intp) for _ in range(2))
-    width, share = np.ones((lines, count)), np.ones((lines, count))
+    share = np.ones((lines, count))
     aligned = np.zeros((lines, count), dtype=bool)
     for index, segment in enumerate(seen.segments):
         at, own = frequency[:, index], seen.line_frequency[index]
@@ -70,5 +67,4 @@ def _routes(seen: RunFeatures, frequency: Floats) -> LineRoutes:
         found = np.searchsorted(edges, at, side="right") - 1
         within = (found >= 0) & (found < edges.size - 1) & (place[:, index] < 0)
         band[within, index] = found[within]
-        width[within, index] = np.diff(edges)[found[within]]
-    return LineRoutes(place, share, band, width, aligned)
+    return LineRoutes(place, share, band, aligned)

@@ -15,7 +15,7 @@ Willsky 1997, Signals and Systems, 4).
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, partial
 from math import pi
 
@@ -165,11 +165,9 @@ def _waves(seen: RunFeatures, order: float, segment: int, spread: float) -> tupl
 
 
 def _together(waves: Sequence[_Wave]) -> _Wave:
-    parts = (np.concatenate([getattr(each, name) for each in waves])
-             for name in ("spectrum", "frequency", "source", "band"))  # fmt: skip
-    spectrum, frequency, source, band = parts
-    width = np.sum([each.width for each in waves], axis=0)
-    return _Wave(spectrum, frequency, waves[0].inside, source, waves[0].window, band, width)
+    names = "spectrum", "frequency", "source", "band"
+    parts = {name: np.concatenate([getattr(each, name) for each in waves]) for name in names}
+    return replace(waves[0], width=np.sum([each.width for each in waves], axis=0), **parts)
 
 
 def _wave(

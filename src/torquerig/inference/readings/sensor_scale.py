@@ -7,7 +7,7 @@ from math import log
 
 import numpy as np
 
-from torquerig.inference.fit import Fit, finished
+from torquerig.inference.fit import Fit, finished, sketch_error
 from torquerig.inference.likelihood import floor_density
 from torquerig.inference.one_number import without_priors
 from torquerig.inference.prediction.expected_run import expected_run
@@ -43,7 +43,7 @@ def other_scale(reading: Reading, rig: Rig) -> Reading:
     if gain_of(again, fit) <= CLEARLY:
         return reading
     again = finished(again, reading.data)
-    ahead = again.log_evidence - _best_number(reading, columns[0])
+    ahead = again.log_evidence - _best_number(reading, columns[0], again)
     if ahead < 0:
         return reading
     fault = SetupFault(
@@ -55,12 +55,14 @@ def other_scale(reading: Reading, rig: Rig) -> Reading:
     return Reading(reading.runs, reading.data, again, (fault, *reading.faults))
 
 
-def _best_number(reading: Reading, scale: int) -> float:
+def _best_number(reading: Reading, scale: int, again: Fit) -> float:
     """Return the largest evidence [nats] with one number of the rig far from its stated value in place of the scale.
 
-    Those are fitted that would gain most without their prior, whether or not the fit has moved them.
+    Those are fitted that would gain most without their prior, whether or not the fit has moved them; a fit is finished
+    where it may come near that of another scale, ``again``.
     """
-    fit, fits = reading.fit, list[Fit]()
+    fit, best = reading.fit, -np.inf
+    least = again.log_evidence - _ALIKE - sketch_error(again.log_evidence - fit.log_evidence)
     free, gains = without_priors(fit)
     largest = max(float(np.abs(seen.level).max(initial=0.0)) for seen in reading.data.seen)
     wide = [_WIDE if knob.factor else _OF_RANGE * largest for knob in fit.knobs]
@@ -69,9 +71,10 @@ def _best_number(reading: Reading, scale: int) -> float:
     for at in sorted(far, key=lambda one: -gains[one])[:_NUMBERS]:
         start = float(np.clip(free[at] * fit.knobs[at].spread / wide[at], -_MOST, _MOST))
         knob = at, replace(fit.knobs[at], spread=wide[at]), start
-        fits.append(sketched_like(fit, reading.data, knob=knob))
-    best = max(fits, key=lambda one: one.log_evidence, default=None)
-    return -np.inf if best is None else finished(best, reading.data).log_evidence
+        one = sketched_like(fit, reading.data, knob=knob)
+        one = one if one.log_evidence < least else finished(one, reading.data)
+        best = max(best, one.log_evidence)
+    return best
 
 
 def slip(ratio: float) -> float:
