@@ -18,6 +18,7 @@ from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, partial
 from math import pi
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -165,9 +166,13 @@ def _waves(seen: RunFeatures, order: float, segment: int, spread: float) -> tupl
 
 
 def _together(waves: Sequence[_Wave]) -> _Wave:
-    names = "spectrum", "frequency", "source", "band"
-    parts = {name: np.concatenate([getattr(each, name) for each in waves]) for name in names}
-    return replace(waves[0], width=np.sum([each.width for each in waves], axis=0), **parts)
+    def joined(name: str) -> Any:
+        return np.concatenate([getattr(each, name) for each in waves])
+
+    return replace(
+        waves[0], spectrum=joined("spectrum"), frequency=joined("frequency"), source=joined("source"),
+        band=joined("band"), width=np.sum([each.width for each in waves], axis=0),
+    )  # fmt: skip
 
 
 def _wave(

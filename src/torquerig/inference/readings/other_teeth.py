@@ -93,7 +93,7 @@ def _candidates(stated: Reading, rig: Rig) -> Iterator[_Candidate]:
     """Yield the pairs that are ahead of the stated one."""
     for stage in toothed_stages(rig):
         pairs = _pairs(stage.pair)
-        gain = _gains(stated, rig, stage, pairs)
+        gain = _gains(stated, stage, pairs)
         for pair, one in zip(pairs, gain.tolist(), strict=True):
             apart = abs(pair[0] - stage.pair[0]) + abs(pair[1] - stage.pair[1])
             ahead = one + SLIP_LOG_ODDS - log(4 if apart == 1 else len(pairs))
@@ -111,7 +111,7 @@ def _pairs(stated: Pair) -> list[Pair]:
     ]
 
 
-def _gains(stated: Reading, rig: Rig, stage: ToothedStage, pairs: Sequence[Pair]) -> Floats:
+def _gains(stated: Reading, stage: ToothedStage, pairs: Sequence[Pair]) -> Floats:
     """Return the log-likelihood ratio of each pair to the stated one in whole runs [nats], shape (pairs,)."""
     total = np.zeros(len(pairs))
     densities = model_densities(stated.fit, stated.data)
