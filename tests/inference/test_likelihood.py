@@ -11,7 +11,7 @@ from torquerig.inference.likelihood import (
     _of_logarithm,
     _with_common_factor,
 )
-from torquerig.inference.prediction.line_features import beat_variance
+from torquerig.inference.prediction.rig_lines import beat_variance
 from torquerig.inference.prediction.slow_lines import UnshownLines, covariance_of_lines
 from torquerig.inference.prediction.slow_torque import covariance
 from torquerig.mechanisms.particle_load import ParticleProcess

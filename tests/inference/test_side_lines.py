@@ -69,6 +69,17 @@ def test_two_lines_of_one_place_have_the_spread_of_open_phases(tmp_path):
     assert alone.line_beat[0, 0] == pytest.approx(0.0, abs=1e-9)
 
 
+def test_side_lines_of_one_order_by_two_causes_have_the_spread_of_open_phases(tmp_path):
+    rig, seen = shown(tmp_path, measured=False)
+    alone = expected_run(rig, seen)
+    both = expected_run(rig + replace(SLOW, name="as slow", amplitudes={1: 0.8}), seen)
+    assert alone.line_beat[0, 1] == pytest.approx(0.0, abs=1e-9)
+    phase = 2 * pi * np.arange(4096) / 4096
+    wanted = np.log(np.abs(1 + 0.999 * np.exp(1j * phase))).var() * 4
+    assert both.line_beat[0, 1] == pytest.approx(wanted, rel=0.1)
+    assert both.line_power[0, 1] == pytest.approx(2 * alone.line_power[0, 1], rel=0.1)
+
+
 def test_side_lines_do_not_beat_with_their_line(tmp_path):
     rig, seen = shown(tmp_path, measured=False)
     alone = run_features(seen.run, [order(12.0)])

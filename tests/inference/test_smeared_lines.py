@@ -66,3 +66,13 @@ def test_cogging_that_no_search_finds_is_proposed_with_the_power_that_bands_lack
     assert [knob.field for knob in both.knobs] == ["native", "unequal_teeth"]
     assert at == pytest.approx([0.02, 0.02])
     assert both.places == ()
+
+
+@pytest.mark.parametrize(("measured", "shown"), [(True, [True, True]), (False, [True, False])])
+def test_of_two_lines_that_are_smeared_into_each_other_the_first_has_the_power_of_both(measured, shown):
+    speed = np.linspace(58.0, 66.0, int(0.75 * RATE))
+    run = drawn_run(1, speed=speed, rate=RATE, orders={24.0: AMPLITUDE, 24.5: 0.5 * AMPLITUDE}, noise=1e-4)
+    lines = line_powers(replace(run, has_encoder=measured), slice(0, speed.size), [order(24.0), order(24.5)])
+    assert np.isfinite(lines.power).tolist() == shown
+    both = AMPLITUDE**2 * (1.0 if measured else 1.25)
+    assert lines.power[0] == pytest.approx(both, rel=0.2)

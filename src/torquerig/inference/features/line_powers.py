@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.inference.features.hann_window import hann_window
-from torquerig.inference.features.line_places import line_frequencies, shown_places
+from torquerig.inference.features.line_places import RESOLVED, line_frequencies, shown_places, smeared_width
 from torquerig.inference.features.regression import HANN_NOISE, regressed
 from torquerig.inference.features.waves import Waves
 from torquerig.inference.measured_run import MeasuredRun
@@ -18,7 +18,6 @@ from torquerig.recordings.repair.moments import moments_of
 
 Floats = NDArray[np.float64]
 
-_RESOLVED = 2.0  # [bins] half the width of a line under a Hann window; one smeared by less is fitted by regression
 _LOST = 0.1  # [1] an order that is smeared over more of its frequency is no line
 _LEFT = 1e-3  # [1] of the power of a line that a regression on a measured angle leaves next to it
 _FAR = 12  # [bins] either way: where the noise of a line is taken, and as far as its leakage is looked for
@@ -69,7 +68,7 @@ def line_powers(run: MeasuredRun, samples: slice, places: Sequence[Place]) -> Li
     duration = torque.size / run.rate
     time = np.arange(torque.size) / run.rate
     smearing = run.smearing(samples)
-    shown = shown_places(places, speed, run.rate)
+    shown = shown_places(places, speed, run.rate, smearing=smearing)
     if smearing > _LOST:
         shown = [index for index in shown if places[index].domain == "frequency"]
     power, bandwidth, half_width, leakage = (np.full(len(places), np.nan) for _ in range(4))
@@ -83,23 +82,21 @@ def line_powers(run: MeasuredRun, samples: slice, places: Sequence[Place]) -> Li
         )
     power[shown] = np.abs(found.amplitude) ** 2
     bandwidth[shown] = 2 * HANN_NOISE / duration * found.widening
-    half_width[shown] = _RESOLVED / duration
+    half_width[shown] = RESOLVED / duration
     frequency = line_frequencies(places, float(speed.mean()))[0]
     follows = np.array([places[index].domain == "order" for index in shown], dtype=bool)
     left = np.where(follows & run.has_encoder, _LEFT, 1.0)
     leakage[shown] = _leakage(found.rest, power[shown], frequency[shown], rate=run.rate, left=left)
     residual = found.rest + found.level + found.slope * np.linspace(-1.0, 1.0, torque.size)
-    smeared = [
-        index for index in shown
-        if places[index].domain == "order" and smearing * frequency[index] * duration > _RESOLVED
-    ]  # fmt: skip
+    width = smeared_width(places, frequency, smearing, duration)
+    smeared = [index for index in shown if width[index] > 0]
     if smeared:
         kept = [row for row, index in enumerate(shown) if index not in set(smeared)]
         sharp = Waves([places[shown[row]] for row in kept], run.angle[samples], time)
         rest = torque - torque.mean() - sharp.summed(found.amplitude[kept])
         phases = [places[index].at * run.angle[samples] for index in smeared]
-        _sum_smeared(power, bandwidth, half_width, rest, rate=run.rate, frequency=frequency, lines=smeared,
-                     smearing=smearing, phases=phases)  # fmt: skip
+        half_width[smeared] = width[smeared]
+        power[smeared], bandwidth[smeared] = _sum_smeared(rest, phases, width[smeared], rate=run.rate)
     return LinePowers(power, bandwidth, half_width, np.maximum(leakage, half_width), residual)
 
 
@@ -129,34 +126,29 @@ def _leakage(rest: Floats, power: Floats, frequency: Floats, *, rate: float, lef
     step = rate / rest.size
     window = hann_window(rest.size)
     density = 2 * np.abs(np.fft.rfft(rest * window)) ** 2 / ((window**2).sum() * rate)
-    answer = np.full(frequency.size, _RESOLVED)
+    answer = np.full(frequency.size, RESOLVED)
     for row, at in enumerate(frequency.tolist()):
         middle = round(at / step)
         around = density[max(middle - _FAR, 1) : middle + _FAR + 1]
         noise = 2 * float(np.median(around)) / _MEDIAN_OF_EXPONENTIAL * step if around.size else 0.0
         if noise > 0:
-            answer[row] = min(max(_RESOLVED, (left[row] * power[row] / noise) ** (1 / 6)), _FAR)
+            answer[row] = min(max(RESOLVED, (left[row] * power[row] / noise) ** (1 / 6)), _FAR)
     return answer * step
 
 
-def _sum_smeared(
-    power: Floats, bandwidth: Floats, half_width: Floats, rest: Floats, *, rate: float, frequency: Floats,
-    lines: Sequence[int], smearing: float, phases: Sequence[Floats],
-) -> None:  # fmt: skip
-    """Put the power of lines that are wider than a bin into the three rows; neighbours share the bins between them.
+def _sum_smeared(rest: Floats, phases: Sequence[Floats], width: Floats, *, rate: float) -> tuple[Floats, Floats]:
+    """Return the power of lines that are wider than a bin, and what it has for its noise bandwidth.
 
     Each line is brought to rest by its phase, which sweeps with the shaft (order tracking: Brandt 2011, Noise and
-    Vibration Analysis, 12). What the angle does not follow of it then lies within ``smearing`` of its frequency.
+    Vibration Analysis, 12). What the angle does not follow of it then lies within ``width`` [Hz] of its frequency.
     ``phases`` are those of the lines at each sample [rad].
     """
     window = hann_window(rest.size)
-    scale = 2 / ((window**2).sum() * rate)
     step = rate / rest.size
-    at = frequency[list(lines)]
-    for index, phase in zip(lines, phases, strict=True):
-        nearest = np.abs(at - frequency[index])[at != frequency[index]].min(initial=np.inf)
-        reach = max(_RESOLVED * step, min(smearing * frequency[index], 0.5 * nearest))
-        bins = min(int(reach / step), (rest.size - 1) // 2)
+    scale = 2 * step * 2 / ((window**2).sum() * rate)
+    bins = np.minimum((width / step).astype(int), (rest.size - 1) // 2)
+    power = np.zeros(width.size)
+    for row, (phase, reach) in enumerate(zip(phases, bins.tolist(), strict=True)):
         spectrum = np.abs(np.fft.fft(rest * window * np.exp(-1j * phase))) ** 2
-        power[index] = 2 * scale * step * (spectrum[: bins + 1].sum() + spectrum[rest.size - bins :].sum())
-        bandwidth[index], half_width[index] = 2 * (2 * bins + 1) * step, reach
+        power[row] = scale * (spectrum[: reach + 1].sum() + spectrum[rest.size - reach :].sum())
+    return power, 2 * (2 * bins + 1) * step

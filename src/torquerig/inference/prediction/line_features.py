@@ -10,12 +10,11 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import spence
 
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.prediction.kept_twin import kept_skirts
 from torquerig.inference.prediction.line_routes import LineRoutes, line_routes
-from torquerig.inference.prediction.rig_lines import SHIFT, RigLines, rig_lines
+from torquerig.inference.prediction.rig_lines import SHIFT, RigLines, beat_variance, rig_lines
 from torquerig.inference.prediction.skirts import core_of, density_of
 from torquerig.inference.prediction.slow_lines import UnshownLines
 from torquerig.linear_twin.twin import Twin
@@ -130,18 +129,6 @@ def _at_places(shown: Sequence[_Shown], seen: RunFeatures) -> tuple[Floats, Floa
     )
     beat = beat + noisy / np.maximum(power, _NOTHING) / np.maximum(seen.lines.count, 1.0)
     return power, slope, varied / np.maximum(power, _NOTHING), beat
-
-
-def beat_variance(power: Floats, strongest: Floats, count: Floats) -> Floats:
-    """Return the variance of the logarithm of the power of lines that share a place, their phases unknown.
-
-    Two phasors of random phase, r the ratio of their powers: ``var ln|1 + sqrt(r) exp(i phi)|^2 = 2 Li2(r)``, Li2 the
-    dilogarithm, by the Fourier series ``2 sum (-1)^(k+1) r^(k/2) cos(k phi) / k``. All but the strongest line count as
-    the second phasor. In each of ``count`` blocks the phase is another one; of lines of one frequency it is the same in
-    all, so that these count as one block.
-    """
-    ratio = np.clip((power - strongest) / np.maximum(strongest, _NOTHING), 0.0, 1.0)
-    return np.asarray(2 * spence(1 - ratio) / np.maximum(count, 1.0))
 
 
 def _swept_density(seen: RunFeatures, frequency: Floats, power: Floats, swept: Floats) -> Floats:

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.special import spence
 
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.prediction.kept_twin import speed_balance
@@ -24,6 +25,7 @@ Floats = NDArray[np.float64]
 SHIFT = 0.01  # [1] of the frequencies of the modes, for a difference quotient
 _OF_EXPONENTIAL = pi**2 / 6  # variance of the logarithm of an exponential variate
 _DIGITS = 9  # of a frequency: lines that differ later have the same one
+_NOTHING = 1e-300  # keeps quotients finite
 _SLOWEST = 0.05  # of the slowest band: slower than this the response of the shafts is that at rest
 
 
@@ -33,10 +35,10 @@ class RigLines(NamedTuple):
     Frequencies [Hz], mean squares of the amplitudes [(N m)^2], the same with all modes at ``1 - SHIFT`` of their
     frequency, standard deviations of the logarithm of the square over the speeds of each segment [1], and whether they
     follow the shaft, that of ``node``. ``scatter`` is the variance of the logarithm of the square in one block [1], of
-    lines that are noise in part, with the half-widths ``half_width`` [Hz]. Lines of a phase modulation
-    do not beat with the line that they belong to: together they have a constant amplitude. ``about`` is the density
-    that each leaves in the bands, relative to its power [1/Hz], shape (lines, segments, bands). Where lines of one
-    frequency are one line here, ``each`` says of which one each of them is part, and holds their mean squares.
+    lines that are noise in part, with the half-widths ``half_width`` [Hz], or sums of unknown phases. Lines of a phase
+    modulation do not beat with the line that they belong to: together they have a constant amplitude. ``about`` is the
+    density that each leaves in the bands, relative to its power [1/Hz], shape (lines, segments, bands). Where lines of
+    one frequency are one line here, ``each`` says of which one each of them is part, and holds their mean squares.
     """
 
     frequency: Floats
@@ -123,13 +125,31 @@ def _of_shafts(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
         yield RigLines(frequency[own], square[own], shifted[own], varied[own], True, node, about=about)
     for node in dict.fromkeys(side.nodes):
         own = np.array(side.nodes) == node
-        yield _of_equal_orders(side.frequency[own], side.square[own], node)
+        yield _of_equal_orders(side.frequency[own], side.square[own], node, seen)
 
 
-def _of_equal_orders(frequency: Floats, square: Floats, node: str) -> RigLines:
-    """Return side lines with one line for each frequency: n + m and n - m of many pairs are the same order."""
+def _of_equal_orders(frequency: Floats, square: Floats, node: str, seen: RunFeatures) -> RigLines:
+    """Return side lines with one line for each frequency: n + m and n - m of many pairs are the same order.
+
+    How the phases of the pairs stand to each other is unknown, and the same in all blocks.
+    """
     different, first, which = np.unique(np.round(frequency[:, 0], _DIGITS), return_index=True, return_inverse=True)
-    together = np.zeros((different.size, square.shape[1]))
+    together, strongest = np.zeros((2, different.size, square.shape[1]))
     np.add.at(together, which, square)
+    np.maximum.at(strongest, which, square)
+    blocks = np.array([len(segment.blocks) for segment in seen.segments], dtype=float)
+    scatter = blocks * beat_variance(together, strongest, np.ones(together.shape))
     none = np.zeros(together.shape)
-    return RigLines(frequency[first], together, together, none, True, node, beats=False, each=(which, square))
+    return RigLines(frequency[first], together, together, none, True, node, scatter, beats=False, each=(which, square))
+
+
+def beat_variance(power: Floats, strongest: Floats, count: Floats) -> Floats:
+    """Return the variance of the logarithm of the power of lines that share a place, their phases unknown.
+
+    Two phasors of random phase, r the ratio of their powers: ``var ln|1 + sqrt(r) exp(i phi)|^2 = 2 Li2(r)``, Li2 the
+    dilogarithm, by the Fourier series ``2 sum (-1)^(k+1) r^(k/2) cos(k phi) / k``. All but the strongest line count as
+    the second phasor. In each of ``count`` blocks the phase is another one; of lines of one frequency it is the same in
+    all, so that these count as one block.
+    """
+    ratio = np.clip((power - strongest) / np.maximum(strongest, _NOTHING), 0.0, 1.0)
+    return np.asarray(2 * spence(1 - ratio) / np.maximum(count, 1.0))
