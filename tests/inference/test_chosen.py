@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from torquerig.inference import search
 from torquerig.inference.addition import Addition
+from torquerig.inference.features.line_search import FoundLine
 from torquerig.inference.fit import Data
 from torquerig.inference.likelihood import Discrepancy
 from torquerig.inference.model import Model
+from torquerig.inference.places import order
 
 PART = SimpleNamespace(name="hum")
 HARMONIC = Addition(mechanism="mains_interference", label="hum at 300 Hz", parts=(PART,))
@@ -81,3 +84,22 @@ def test_a_fit_is_finished_where_the_best_one_fails_on_held_out_data(round_of):
     failing, other = model(60.0, HARMONIC), model(14.3, FUNDAMENTAL)
     assert round_of((failing, 1.0), (other, 20.0)).additions == (FUNDAMENTAL,)
     assert other.fit.is_finished
+
+
+class Rig:
+    """A rig to which anything can be added."""
+
+    def __add__(self, _):
+        return self
+
+
+@pytest.mark.parametrize(("mechanism", "is_left"), [("", True), ("imbalance", False)])
+def test_a_line_of_a_nameless_effect_may_lack_a_second_part(monkeypatch, mechanism, is_left):
+    monkeypatch.setattr(search, "sketched", lambda *_, **__: None)
+    fit = SimpleNamespace(
+        rig=Rig(), nominal=None, knobs=(), positions=np.zeros(0), gains=np.zeros(0), off=None, value=np.zeros(4),
+        jacobian=np.zeros((4, 0)),
+    )  # fmt: skip
+    line = FoundLine(order(3.0), -40.0, 0.0)
+    each = Addition(mechanism=mechanism, parts=(PART,), places=(line.place,))
+    assert search._together(Model(fit, (), (line,)), NO_DATA, each, ()).lines == ((line,) if is_left else ())

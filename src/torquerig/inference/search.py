@@ -273,5 +273,6 @@ def _together(model: Model, data: Data, each: Addition, start: tuple[float, ...]
         )  # fmt: skip
     except (TorquerigError, ValueError, np.linalg.LinAlgError):
         return None
-    left = tuple(line for line in model.lines if line.place not in each.places)
+    # a nameless line has one size, or one share of the torque: where it has another one, it lacks a second part
+    left = tuple(line for line in model.lines if _is_nameless(each) or line.place not in each.places)
     return Model(found, (*model.additions, each), left, model.alternatives)

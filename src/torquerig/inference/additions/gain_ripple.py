@@ -12,11 +12,14 @@ from torquerig import mechanisms
 from torquerig.inference.addition import DECADE, Addition, free_name
 from torquerig.inference.context import Context, harmonics
 from torquerig.inference.knobs import Knob
+from torquerig.inference.likelihood import floor_density
 from torquerig.inference.places import Place
+from torquerig.inference.undecided_lines import column_of
 from torquerig.rig.assembly import Part
 from torquerig.rig.parts import Motor
 
 _LOG_ODDS = -10.0  # anywhere on the search grid, as of a line of constant torque, and one of three grows with the load
+_LOG_ODDS_KNOWN = -3.0  # the same of a line that the model has already, of which a part may grow with the load
 _MEDIAN = 0.03  # of the torque: prior median of the depth, as of a ripple in proportion to the torque of a motor
 _HARMONICS = 6
 _CLEAREST = 8  # lines; others follow when these are explained
@@ -32,8 +35,19 @@ def propose(context: Context) -> Iterator[Addition]:
     if levels.max(initial=0.0) > _VARIES * levels.min(initial=np.inf):
         for line in context.lines[:_CLEAREST]:
             made = dict(_parts(context, line.place))
+            odds = (_LOG_ODDS_KNOWN if _is_known(context, line.place) else _LOG_ODDS) - log(len(made))
             for acts, one in made.items():
-                yield from _ripple(context, line.place, one, acts, odds=_LOG_ODDS - log(len(made)))
+                yield from _ripple(context, line.place, one, acts, odds=odds)
+
+
+def _is_known(context: Context, place: Place) -> bool:
+    """Return whether the model has a line at a place that exceeds the noise somewhere."""
+    for seen, model in zip(context.data.seen, context.fit.expected, strict=True):
+        at = column_of(seen, place)
+        noise = seen.lines.noise_bandwidth[:, at] * floor_density(seen, model)[:, at]
+        if ((model.line_power[:, at] > noise) & (seen.lines.count[:, at] > 0)).any():
+            return True
+    return False
 
 
 def _parts(context: Context, place: Place) -> Iterator[tuple[str, Made]]:
