@@ -14,6 +14,7 @@ from scipy.special import gammaincc
 from torquerig.inference.features.line_places import HIGHEST, HIGHEST_TONE, line_frequencies
 from torquerig.inference.features.line_skirts import exceeds_surroundings
 from torquerig.inference.features.noise_ratios import NEAR, Density, NoiseRatios, measured_ratio, noise_ratios
+from torquerig.inference.features.tuned_tone import tuned
 from torquerig.inference.measured_run import MeasuredRun
 from torquerig.inference.places import Place
 
@@ -27,6 +28,7 @@ _SKIRT_LOG = 0.05  # of the strongest line's log p-value: a weaker line may be i
 _PASSES = 4
 _MOST = 40
 _ORDER = 1.15  # by which an order may show less power than a frequency that is as clear: most lines turn with a shaft
+_TUNED = 0.25  # [bins] of the longest blocks: so near to the true frequency is the one that single blocks give
 _SHOWN = 6.0  # [1] times the noise: a block with so much power shows the line
 
 
@@ -92,8 +94,17 @@ def _new_lines(ratios: Sequence[NoiseRatios], found: Sequence[FoundLine]) -> lis
             continue
         if not _stands_out(each.place, ratios, tests):
             continue
-        accepted.append(FoundLine(each.place, each.log_p, *_elsewhere(each, candidates, ratios)))
+        other_p, other = _elsewhere(each, candidates, ratios)
+        accepted.append(FoundLine(_tuned(each.place, ratios), each.log_p, other_p, other and _tuned(other, ratios)))
     return accepted
+
+
+def _tuned(place: Place, ratios: Sequence[NoiseRatios]) -> Place:
+    """Return the place of a tone by whole runs, and another place as it is."""
+    if place.domain == "order":
+        return place
+    step = min(each.frequency_step for each in ratios if each.by_frequency.size)
+    return Place(place.domain, float(f"{tuned(place.at, ratios, within=_TUNED * step):.9g}"))
 
 
 def _elsewhere(each: _Peak, candidates: Sequence[_Peak], ratios: Sequence[NoiseRatios]) -> tuple[float, Place | None]:
@@ -198,11 +209,7 @@ def _scores(ratios: Sequence[NoiseRatios], domain: str) -> tuple[Floats, Floats,
         log_p += np.where(count > 0, _log_p_of_run(np.maximum(count, 1), total, highest[-1]), 0.0)
         counted += count > 0
     combined = np.where(counted > 0, _log_gamma_tail(np.maximum(counted, 1), -log_p), 0.0)
-    return (
-        np.asarray(grid),
-        np.asarray(combined + np.log(_tests(ratios))),
-        np.asarray(power),
-    )
+    return np.asarray(grid), np.asarray(combined + np.log(_tests(ratios))), np.asarray(power)
 
 
 def _log_p_of_run(count: Floats, total: Floats, least: Floats) -> Floats:

@@ -27,7 +27,10 @@ _LOG_MEDIAN = float(np.log(2.0))  # median over mean of an exponential variate
 
 @dataclass(frozen=True)
 class NoiseRatios:
-    """Power over the noise of one block along orders and along frequencies."""
+    """Power over the noise of one block along orders and along frequencies; what the known lines leave of it [N m].
+
+    ``start`` is the index of its first sample in the run.
+    """
 
     run: MeasuredRun
     smearing: float
@@ -37,6 +40,8 @@ class NoiseRatios:
     order_step: float
     by_frequency: Floats
     frequency_step: float
+    start: int
+    rest: Floats
 
 
 def noise_ratios(run: MeasuredRun, places: Sequence[Place], density: Density) -> list[NoiseRatios]:
@@ -58,7 +63,18 @@ def noise_ratios(run: MeasuredRun, places: Sequence[Place], density: Density) ->
             by_angle = np.interp(even, np.maximum.accumulate(np.sign(turned) * (angle - angle[0])), rest)
             turning, order_step = _over_noise(by_angle, run.rate, density), 2 * pi / abs(turned) * (1 - 1 / rest.size)
         speeds = float(turning_at.min()), float(turning_at.max())
-        each = NoiseRatios(run, run.smearing(part), float(turning_at.mean()), speeds, turning, order_step, direct, step)
+        each = NoiseRatios(
+            run,
+            run.smearing(part),
+            float(turning_at.mean()),
+            speeds,
+            turning,
+            order_step,
+            direct,
+            step,
+            part.start,
+            rest,
+        )
         _ignore(each, places, reach=NEAR * rest.size / min(block.stop - block.start for block in blocks))
         answer.append(each)
     return answer
