@@ -34,9 +34,22 @@ def test_a_line_at_one_speed_is_reported_in_both_domains(monkeypatch):
     order, tone = Place("order", 3.3), Place("frequency", 66.0)
     found = (FoundLine(tone, -40.0, -39.0, order), FoundLine(order, -39.0, -40.0, tone))
     monkeypatch.setattr(located, "all_residuals", lambda *_: [])
+    monkeypatch.setattr(located, "lacks", lambda *_: False)
     fit = SimpleNamespace(expected=(), gains=None, off=None)
     for mechanism, places in (("", [tone, order]), ("mains_interference", [tone])):
         model = SimpleNamespace(additions=(Addition(mechanism=mechanism, kind="tone", places=(tone,)),))
         outcome = SimpleNamespace(nominal=fit, model=model, data=SimpleNamespace(seen=()), found=found)
         rows = differences(outcome)
         assert {(row["domain"], row["at"]) for row in rows} == {(place.domain, place.at) for place in places}
+
+
+def test_a_line_that_no_addition_explains_is_a_place(monkeypatch):
+    monkeypatch.setattr(located, "all_residuals", lambda *_: [])
+    monkeypatch.setattr(located, "lacks", lambda _, __, place: place.at < 60)
+    found = tuple(FoundLine(Place("frequency", at), -at, 0.0) for at in (70.0, 41.5))
+    fit = SimpleNamespace(expected=(), gains=None, off=None)
+    outcome = SimpleNamespace(
+        nominal=fit, model=SimpleNamespace(additions=()), data=SimpleNamespace(seen=()), found=found
+    )  # fmt: skip
+    (row,) = differences(outcome)
+    assert (row["domain"], row["at"], row["p_value"]) == ("frequency", 41.5, pytest.approx(np.exp(-41.5), rel=1e-4))

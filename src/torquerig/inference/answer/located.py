@@ -13,6 +13,7 @@ from torquerig.inference.adequacy import Excess, JudgedRun
 from torquerig.inference.answer.course_axis import followed
 from torquerig.inference.answer.numbers import digits
 from torquerig.inference.answer.significant import significant
+from torquerig.inference.context import lacks
 from torquerig.inference.engine import Outcome
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.fit import Fit, all_residuals
@@ -26,15 +27,18 @@ from torquerig.rig.reading_place import effort_unit
 _ORDER_WIDTH, _TONE_WIDTH = 0.01, 1.0  # [1/rev], [Hz] to which the place of a line is reported
 _DECIBELS = 10 / log(10)
 _MOST_PLACES, _MUCH_SMALLER = 3, 0.5  # of one kind that are reported, and of the largest residual: one that is not
+_MOST_LINES = 6  # found ones that are reported although no addition is there; of an undecided one both places count
 _PART = 0.1  # [1] of a speed or a torque, to which a course over it is located
 _APART = 2.0  # [1] times the width of a feature: nearer ones are one place
 
 
 def differences(outcome: Outcome) -> list[dict[str, Any]]:
-    """Return where the calibrated model differs: the places of the additions, and other large residuals."""
+    """Return where the calibrated model differs: places of additions, clear lines, and other large residuals."""
     fit = outcome.nominal
     runs = all_residuals(outcome.data, fit.expected, fit.gains, fit.off)
-    places = list(dict.fromkeys(_of_additions(outcome)))
+    lines = sorted(outcome.found, key=lambda line: line.log_p)
+    clearest = [line.place for line in lines if lacks(fit, outcome.data, line.place)][:_MOST_LINES]
+    places = list(dict.fromkeys((*_of_additions(outcome), *clearest)))
     found = {line.place: exp(line.log_p) for line in outcome.found}
     rows = [_of_line(outcome.data.seen, runs, place, p_value=found.get(place)) for place in places]
     if not all(each.places for each in outcome.model.additions):  # a level, a band

@@ -7,5 +7,6 @@ impacts         envelopes over the angle                rests           how long
 noise_ratios    power over noise, for                    line_search     lines that no model has, in all runs
 waves           the waves of lines                       regression      amplitudes of lines by least squares
 kernel          compiled loops over waves
+tuned_tone      frequency of a tone by whole runs
 line_skirts     whether a peak is a line or part of something wider
 """
