@@ -21,6 +21,7 @@ from torquerig.inference.rig_under_test import check_recordings, check_rig
 from torquerig.inference.sample_faults import on_few_codes, rounding_step, sample_faults, usable_runs
 from torquerig.inference.search import searched
 from torquerig.inference.set_points import off_set_points
+from torquerig.inference.shared_orders import with_phases
 from torquerig.inference.undecided_lines import in_both_domains
 from torquerig.inference.untrue_samples import samples_as_compared
 from torquerig.linear_twin.twin import Twin
@@ -156,7 +157,7 @@ def prepared(
                 f"{recording.name}: {recording.duration:.2f} s are too short for a diagnosis; record at least "
                 f"{SHORTEST:g} s, better 12 s"
             )
-    rig = with_free_load(scenario.rig.at(recordings[0].run))
+    rig = with_phases(with_free_load(scenario.rig.at(recordings[0].run)))
     progress("looking for faults of the samples")
     shown = samples_as_compared(recordings, rig, sample_faults(recordings, rig))
     faults = shown.faults

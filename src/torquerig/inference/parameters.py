@@ -10,6 +10,7 @@ import numpy as np
 
 from torquerig.inference.knobs import Knob, nuisance_knobs
 from torquerig.inference.measured_run import MeasuredRun
+from torquerig.inference.shared_orders import phases
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.model import Scenario
@@ -27,7 +28,8 @@ def parameters(scenario: Scenario, rig: Rig, runs: Sequence[MeasuredRun]) -> tup
     occupancies = [run.run.occupancy_percent or 0.0 for run in runs]
     knobs = nuisance_knobs(rig, scenario.uncertainties, occupancies=occupancies)
     known = {knob.name for knob in knobs}
-    return (*knobs, *(knob for knob in (*amplitudes(rig), *_of_sensor(rig, runs)) if knob.name not in known))
+    others = (*amplitudes(rig), *phases(rig), *_of_sensor(rig, runs))
+    return (*knobs, *(knob for knob in others if knob.name not in known))
 
 
 def amplitudes(rig: Rig) -> Iterator[Knob]:

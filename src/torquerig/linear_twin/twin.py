@@ -50,6 +50,7 @@ class LineSource(NamedTuple):
     """A line that follows the shafts: order on the motor shaft, amplitude at its source, transfer to the reading.
 
     ``by_load`` marks amplitudes that are a share of the motor's torque; ``node`` is what turns by the line's angle.
+    ``phase`` is the stated one [rad], None where each run may have another.
     """
 
     owner: str
@@ -58,6 +59,7 @@ class LineSource(NamedTuple):
     transfer: Passage
     by_load: bool = False
     node: str = ""
+    phase: float | None = None
 
 
 def sources(lines: Sequence[LineSource], motor: Floats) -> Floats:
@@ -78,6 +80,7 @@ class _Torque(NamedTuple):
     turning: str
     order: float
     amplitude: float
+    phase: float | None = None
 
 
 def _torque(passed: dict[str, Response], node: str, against: str) -> Response:
@@ -176,7 +179,8 @@ class Twin:
             if (each.on, each.against) not in through:
                 through[each.on, each.against] = self.torque_on(each.on, each.against)
             yield LineSource(
-                each.owner, each.order, each.amplitude, through[each.on, each.against], node=each.turning
+                each.owner, each.order, each.amplitude, through[each.on, each.against], node=each.turning,
+                phase=each.phase,
             )  # fmt: skip
 
     def _of_spring(self, spring: Spring) -> Iterator[LineSource]:
@@ -222,7 +226,7 @@ class Twin:
             if isinstance(term, HarmonicTorque):
                 for wave in term.waves:
                     order = wave.order * self.turns[term.angle]
-                    yield _Torque(term.name, term.on, term.against, term.angle, order, wave.amplitude)
+                    yield _Torque(term.name, term.on, term.against, term.angle, order, wave.amplitude, wave.phase)
             elif isinstance(term, BladeTorque):
                 for harmonic, share in enumerate(_BLADE_SERIES, start=1):
                     order = harmonic * term.order * self.turns[term.on]

@@ -28,7 +28,7 @@ def propose(context: Context) -> Iterator[Addition]:
     free, _ = without_priors(context.fit)
     for knob, position in zip(context.fit.knobs, free.tolist(), strict=True):
         wide = _SPREAD if knob.factor else _OF_RANGE * max(context.largest_level, context.signal)
-        if knob.part in own and abs(position) > FAR and knob.spread < _STATED * wide:
+        if knob.part in own and knob.field != "phases" and abs(position) > FAR and knob.spread < _STATED * wide:
             start = float(np.clip(position * knob.spread / wide, -_FARTHEST, _FARTHEST))
             yield Addition(
                 kind="parameter", knobs=(replace(knob, spread=wide),), starts=((start,),),

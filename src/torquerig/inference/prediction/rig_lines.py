@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import pi
 from typing import NamedTuple
 
@@ -16,11 +16,12 @@ from torquerig.inference.prediction.measuring_chain import crosstalk_lines, pass
 from torquerig.inference.prediction.phase_modulation import side_lines
 from torquerig.inference.prediction.ringing import ringing_lines
 from torquerig.inference.prediction.swayed_response import swayed_lines
-from torquerig.linear_twin.twin import Twin, passed, sources
+from torquerig.linear_twin.twin import LineSource, Twin, passed, sources
 from torquerig.sensor_stages.gain_ripple import GainRipple
 from torquerig.sensor_stages.tone import Tone, folded
 
 Floats = NDArray[np.float64]
+Complex = NDArray[np.complex128]
 
 SHIFT = 0.01  # [1] of the frequencies of the modes, for a difference quotient
 _OF_EXPONENTIAL = pi**2 / 6  # variance of the logarithm of an exponential variate
@@ -107,7 +108,7 @@ def _of_shafts(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
     at = np.maximum(orders * np.abs(speeds) / (2 * pi), _SLOWEST * seen.run.slowest)
     both = np.concatenate([at, at * (1 + SHIFT)], axis=1)
     response = passed([line.transfer for line in lines], both)
-    gain = np.abs(response) * np.tile(sources(lines, motor), 2)
+    gain = np.abs(_together(lines, response * np.tile(sources(lines, motor), 2), np.tile(np.sign(speeds), 2)))
     square, shifted = np.square(gain).reshape(len(lines), 2, count, points).transpose(1, 0, 2, 3)
     here, there = response.reshape(len(lines), 2, count, points).transpose(1, 0, 2, 3)
     steepness = (np.abs(there - here) / np.maximum(np.abs(here), 1e-300)).max(axis=2) / SHIFT
@@ -126,6 +127,22 @@ def _of_shafts(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
     for node in dict.fromkeys(side.nodes):
         own = np.array(side.nodes) == node
         yield _of_equal_orders(side.frequency[own], side.square[own], node, seen)
+
+
+def _together(lines: Sequence[LineSource], waves: Complex, direction: Floats) -> Complex:
+    """Return waves of the lines, shape (lines, points), with those of one order whose phases are known summed.
+
+    The first of them has the sum. ``direction`` is the sign of the speed at each point.
+    """
+    first = dict[float, int]()
+    phased = [(row, line.order, line.phase) for row, line in enumerate(lines) if line.phase is not None]
+    summed = waves.copy()
+    for row, order, phase in phased:
+        own = waves[row] * np.exp(1j * phase * direction)
+        at = first.setdefault(round(order, _DIGITS), row)
+        summed[row] = 0.0
+        summed[at] = own if at == row else summed[at] + own
+    return summed
 
 
 def _of_equal_orders(frequency: Floats, square: Floats, node: str, seen: RunFeatures) -> RigLines:
