@@ -34,7 +34,7 @@ def test_a_line_at_one_speed_is_reported_in_both_domains(monkeypatch):
     order, tone = Place("order", 3.3), Place("frequency", 66.0)
     found = (FoundLine(tone, -40.0, -39.0, order), FoundLine(order, -39.0, -40.0, tone))
     monkeypatch.setattr(located, "all_residuals", lambda *_: [])
-    monkeypatch.setattr(located, "lacks", lambda *_: False)
+    monkeypatch.setattr(located, "_is_open", lambda *_: False)
     fit = SimpleNamespace(expected=(), gains=None, off=None)
     for mechanism, places in (("", [tone, order]), ("mains_interference", [tone])):
         model = SimpleNamespace(additions=(Addition(mechanism=mechanism, kind="tone", places=(tone,)),))
@@ -45,7 +45,7 @@ def test_a_line_at_one_speed_is_reported_in_both_domains(monkeypatch):
 
 def test_a_line_that_no_addition_explains_is_a_place(monkeypatch):
     monkeypatch.setattr(located, "all_residuals", lambda *_: [])
-    monkeypatch.setattr(located, "lacks", lambda _, __, place: place.at < 60)
+    monkeypatch.setattr(located, "_is_open", lambda _, place: place.at < 60)
     found = tuple(FoundLine(Place("frequency", at), -at, 0.0) for at in (70.0, 41.5))
     fit = SimpleNamespace(expected=(), gains=None, off=None)
     outcome = SimpleNamespace(
@@ -53,3 +53,13 @@ def test_a_line_that_no_addition_explains_is_a_place(monkeypatch):
     )  # fmt: skip
     (row,) = differences(outcome)
     assert (row["domain"], row["at"], row["p_value"]) == ("frequency", 41.5, pytest.approx(np.exp(-41.5), rel=1e-4))
+
+
+@pytest.mark.parametrize(
+    ("at", "is_lacking", "is_open"), [(50.0, True, True), (50.0, False, False), (1.3, False, True)]
+)
+def test_a_line_is_open_that_the_model_lacks_or_no_block_can_show(monkeypatch, at, is_lacking, is_open):
+    seen = run_features(drawn_run(1, speed=steady(1000, duration=6.0)), [Place("frequency", at)])
+    monkeypatch.setattr(located, "lacks", lambda *_: is_lacking)
+    outcome = SimpleNamespace(nominal=None, data=SimpleNamespace(seen=(seen,)))
+    assert located._is_open(outcome, Place("frequency", at)) is is_open

@@ -37,7 +37,7 @@ def differences(outcome: Outcome) -> list[dict[str, Any]]:
     fit = outcome.nominal
     runs = all_residuals(outcome.data, fit.expected, fit.gains, fit.off)
     lines = sorted(outcome.found, key=lambda line: line.log_p)
-    clearest = [line.place for line in lines if lacks(fit, outcome.data, line.place)][:_MOST_LINES]
+    clearest = [line.place for line in lines if _is_open(outcome, line.place)][:_MOST_LINES]
     places = list(dict.fromkeys((*_of_additions(outcome), *clearest)))
     found = {line.place: exp(line.log_p) for line in outcome.found}
     rows = [_of_line(outcome.data.seen, runs, place, p_value=found.get(place)) for place in places]
@@ -101,6 +101,13 @@ def _of_additions(outcome: Outcome) -> Iterator[Place]:
             yield place
             if not each.is_named:
                 yield from _undecided(outcome, place)
+
+
+def _is_open(outcome: Outcome, place: Place) -> bool:
+    """Return whether the nominal model lacks a line, or no block is long enough to compare it."""
+    seen = outcome.data.seen
+    is_compared = any((each.lines.count[:, column_of(each, place)] > 0).any() for each in seen if place in each.places)
+    return not is_compared or lacks(outcome.nominal, outcome.data, place)
 
 
 def _undecided(outcome: Outcome, place: Place) -> tuple[Place, ...]:
