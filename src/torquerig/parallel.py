@@ -37,6 +37,11 @@ def parallel_processes(processes: int) -> Iterator[None]:
         _PROCESSES.reset(before)
 
 
+def processes() -> int:
+    """Return how many processes may work."""
+    return _PROCESSES.get()
+
+
 def parallel_map(work: Callable[[One], Answer], items: Sequence[One]) -> list[Answer]:
     """Return ``work`` of every item, in their order.
 

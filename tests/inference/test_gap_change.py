@@ -10,6 +10,7 @@ from torquerig import mechanisms
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.gap_width import estimated_width
 from torquerig.inference.measured_run import measured_runs
+from torquerig.inference.prediction import gap_change
 from torquerig.inference.prediction.expected_run import expected_run
 from torquerig.inference.prediction.gap_change import ARCMIN, WIDTHS, comes_near_zero, simulated_rests
 from torquerig.simulation.simulator import simulate
@@ -85,3 +86,14 @@ def test_rests_without_a_gap_count_against_it(tmp_path):
     rests = simulated_rests(rig, mechanisms.Backlash(name="gap", gear="gearbox", gap=ARCMIN), seen)
     assert rests is not None
     assert estimated_width([rests], np.array(WIDTHS), median=6.0, spread=1.2).gain < 0.0
+
+
+def test_held_out_blocks_are_simulated_when_they_are_asked_for(tmp_path, monkeypatch):
+    rig, seen = seen_of(IDLE, tmp_path, gap=10.0)
+    made, like = list[object](), gap_change.features_like
+    monkeypatch.setattr(gap_change, "features_like", lambda same, run: made.append(same) or like(same, run))
+    expected_run(opened(rig, 10.0), seen)
+    assert made
+    assert all(each is seen for each in made)
+    held = run_features(seen.run, [], held_out=True)
+    assert (expected_run(opened(rig, 10.0), held).density != expected_run(rig, held).density).any()

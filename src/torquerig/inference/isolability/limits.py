@@ -7,6 +7,7 @@ from typing import Any
 
 from torquerig.inference.addition import Addition
 from torquerig.inference.isolability.signatures import Projection, Signature, signature
+from torquerig.parallel import parallel_map
 
 _PER_MECHANISM = 3  # hypotheses of a mechanism that are followed to their smallest size
 
@@ -20,12 +21,9 @@ def smallest(projection: Projection, hypotheses: Iterable[Addition]) -> list[Sig
     for each in hypotheses:
         if each.is_named:
             by_mechanism.setdefault(each.mechanism, []).append(each)
-    found = []
-    for own in by_mechanism.values():
-        for each in _clearest(projection, own):
-            one = signature(projection, each)
-            found += [] if one is None else [one]
-    return found
+    found = parallel_map(lambda own: [signature(projection, each) for each in _clearest(projection, own)],
+                         list(by_mechanism.values()))  # fmt: skip
+    return [one for own in found for one in own if one is not None]
 
 
 def best_by_mechanism(found: Sequence[Signature]) -> list[Signature]:

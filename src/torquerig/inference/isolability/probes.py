@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import chain
 from math import gcd, pi
 
 import numpy as np
@@ -16,6 +17,7 @@ from torquerig.inference.fit import Data, Fit, sketched
 from torquerig.inference.measured_run import MeasuredRun
 from torquerig.inference.places import RESOLVED_WELL, Place, frequency, order
 from torquerig.inference.shafts import shafts_of
+from torquerig.parallel import parallel_map
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Motor
 
@@ -41,9 +43,12 @@ def probed(fit: Fit, runs: Sequence[MeasuredRun], known: Sequence[Place]) -> tup
 def hypotheses(context: Context, places: Sequence[Place]) -> Iterator[Addition]:
     """Yield what the library proposes for the model: without lines, and for each supposed line alone."""
     yield from (each for each in proposals(context) if each.parts)
-    for place in places:
+
+    def of_line(place: Place) -> list[Addition]:
         alone = Context(context.fit, context.data, (FoundLine(place, 0.0, 0.0),))
-        yield from (each for each in proposals(alone) if each.places)
+        return [each for each in proposals(alone) if each.places]
+
+    yield from chain.from_iterable(parallel_map(of_line, places))
 
 
 def _supposed(rig: Rig) -> Iterator[Place]:

@@ -21,12 +21,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.inference.features.rests import near_zero, rests
-from torquerig.inference.features.run_features import RunFeatures, blocks_like, features_like, run_features
+from torquerig.inference.features.run_features import RunFeatures, blocks_like, features_like
 from torquerig.inference.measured_run import MeasuredRun
 from torquerig.inference.motor_angle.smoothed_speed import speed_of
 from torquerig.inference.places import Place
 from torquerig.inference.prediction.line_phases import Samples, with_measured_phases
 from torquerig.linear_twin.field_speed import share_of_field
+from torquerig.parallel import processes
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Part, Rig
@@ -97,10 +98,9 @@ class SimulatedRests:
 
 @dataclass(frozen=True, eq=False)
 class _Table:
-    """Changes of the features at some places and parts by the width, first axis of all arrays: ``WIDTHS``."""
+    """Changes of the features at some places by the width, first axis of all arrays: ``WIDTHS``."""
 
     places: tuple[Place, ...]
-    parts: NDArray[np.int64]
     change: Change
     rests: SimulatedRests | None
 
@@ -128,9 +128,7 @@ def gap_change(rig: Rig, seen: RunFeatures) -> Change | None:
     gaps = [part for part in rig.of_kind("backlash") if part.gap > 0]
     if len(gaps) != 1 or not comes_near_zero(seen.run):
         return None
-    (part,) = gaps
-    table = _table(rig, part, seen)
-    return None if table is None else table.at(part.gap, seen.places)
+    return _table(rig, gaps[0], seen).at(gaps[0].gap, seen.places)
 
 
 def simulated_rests(rig: Rig, part: Part, seen: RunFeatures) -> SimulatedRests | None:
@@ -138,13 +136,14 @@ def simulated_rests(rig: Rig, part: Part, seen: RunFeatures) -> SimulatedRests |
 
     ``part`` is a mechanism ``backlash``, not yet in ``rig``; raises as ``gap_change``.
     """
-    table = _table(rig + part, part, seen) if comes_near_zero(seen.run) else None
-    return None if table is None else table.rests
+    return _table(rig + part, part, seen).rests if comes_near_zero(seen.run) else None
 
 
-def _table(rig: Rig, part: Part, seen: RunFeatures) -> _Table | None:
-    tables = seen.run.kept.get("gap", part.gear, lambda: _simulated(rig.without(part.name), part, seen))  # type: ignore[attr-defined]
-    return next((each for each in tables if np.array_equal(each.parts, seen.parts)), None)
+def _table(rig: Rig, part: Part, seen: RunFeatures) -> _Table:
+    """Return the changes of the parts of ``seen``; few rigs need those of held-out ones, which are simulated again."""
+    kept, gear = seen.run.kept, part.gear  # type: ignore[attr-defined]
+    closed = kept.get("closed", gear, lambda: rig.without(part.name))
+    return kept.get("gap", (gear, seen.parts.tobytes()), lambda: _simulated(closed, part, seen))
 
 
 def comes_near_zero(run: MeasuredRun) -> bool:
@@ -163,15 +162,8 @@ def _comes_near(torque: Floats) -> bool:
     return low < _NEAR * abs(mean)
 
 
-def _simulated(closed: Rig, part: Part, seen: RunFeatures) -> tuple[_Table, ...]:
-    """Return the tables of the fitted and of the held-out blocks of the run of ``seen``."""
-    run = seen.run
-    runs = [_as_measured(each, run) for each in _recordings(closed, part, run)]
-    kinds = [run_features(run, seen.places, held_out=held) for held in (False, True)]
-    return tuple(_table_of(closed, runs, kind) for kind in kinds if kind.parts.size)
-
-
-def _table_of(closed: Rig, runs: Sequence[MeasuredRun], seen: RunFeatures) -> _Table:
+def _simulated(closed: Rig, part: Part, seen: RunFeatures) -> _Table:
+    runs = [_as_measured(each, seen.run) for each in _recordings(closed, part, seen.run)]
     found, size = [features_like(seen, each) for each in runs], len(WIDTHS) + 1
     rows = range(0, len(runs), size)
     change = _change([found[row : row + size] for row in rows])
@@ -180,7 +172,7 @@ def _table_of(closed: Rig, runs: Sequence[MeasuredRun], seen: RunFeatures) -> _T
     if np.abs(change.band).max() > _OPENS:
         every = [_rests(closed, each, seen, 1 / ringing) for each in (seen.run, *runs)]
         rests = SimulatedRests(every[0], np.array([every[1 + row : 1 + row + size] for row in rows]))
-    return _Table(seen.places, seen.parts, change, rests)
+    return _Table(seen.places, change, rests)
 
 
 def _rests(closed: Rig, run: MeasuredRun, seen: RunFeatures, window: float) -> Floats:
@@ -199,8 +191,9 @@ def _recordings(closed: Rig, part: Part, run: MeasuredRun) -> list[Recording]:
     rigs = [at + replace(part, gap=width * ARCMIN) for width in (0.0, *WIDTHS)]  # type: ignore[call-arg]
     seeds = [_FRESH_SEED + one for one in range(_REPLICATES) for _ in rigs]
     return simulate_batch(
-        rigs * _REPLICATES, seeds=seeds, duration=run.torque.size / rate, sample_rate=rate, most_steps=10_000, workers=1
-    )
+        rigs * _REPLICATES, seeds=seeds, duration=run.torque.size / rate, sample_rate=rate, most_steps=10_000,
+        workers=processes(),
+    )  # fmt: skip
 
 
 def _of_field(rig: Rig, run: MeasuredRun) -> Run:
