@@ -22,8 +22,8 @@ def proposed(knobs, slopes, excess):
     positions = np.linalg.solve(hessian, slopes.T @ (9.0 / 8.0 * excess))
     nominal = SimpleNamespace(parts=[SimpleNamespace(name="sensor"), SimpleNamespace(name="drum")])
     fit = Fit(
-        nominal, nominal, knobs, positions, np.zeros(0), Discrepancy(), (), 0.0, -slopes, np.zeros(excess.size),
-        np.ones(excess.size),
+        nominal, nominal, knobs, positions, np.zeros(0), Discrepancy(), (), 0.0,
+        np.concatenate([-slopes, np.zeros_like(slopes)]), np.zeros(excess.size), np.ones(excess.size),
     )  # fmt: skip
     return [each.label.split()[0] for each in propose(SimpleNamespace(fit=fit, largest_level=50.0, signal=5.0))]
 
@@ -69,7 +69,7 @@ def test_more_dry_friction_than_stated_may_be_missing_friction(position, like):
     part = SimpleNamespace(coulomb=1.0)
     rig = SimpleNamespace(part=lambda _: part, parts=[part])
     fit = Fit(
-        rig, rig, (FRICTION,), np.array([position]), np.zeros(0), Discrepancy(), (), 0.0, np.ones((2, 1)), np.zeros(2),
+        rig, rig, (FRICTION,), np.array([position]), np.zeros(0), Discrepancy(), (), 0.0, np.ones((4, 1)), np.zeros(2),
         np.ones(2),
     )  # fmt: skip
     outcome = SimpleNamespace(model=SimpleNamespace(fit=fit, alternatives=()))

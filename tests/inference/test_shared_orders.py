@@ -1,4 +1,4 @@
-"""Lines of one order on one shaft: one phase between them in all runs."""
+"""Lines of one order of the motor: one phase between them in all runs."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from tests.inference.benches import FREE, bench
+from tests.inference.benches import FREE, GEARED, bench
 from torquerig.inference.prediction.rig_lines import _together
 from torquerig.inference.shared_orders import phases, with_phases
 from torquerig.mechanisms import TorqueRipple
@@ -26,6 +26,15 @@ def test_lines_that_share_order_and_shaft_have_a_phase_between_them(rig):
     assert free.part("motor_lines").phases == {2: 0.0, 4: 0.0}
     assert [knob.name for knob in phases(free)] == ["pump_lines.phases.2", "pump_lines.phases.4"]
     assert not [*phases(rig)]
+
+
+def test_a_gear_holds_the_phase_between_lines_of_two_shafts(tmp_path):
+    motor = TorqueRipple(name="motor_lines", at="motor", group="mechanical", amplitudes={5: 0.01, 6: 0.01})
+    pump = TorqueRipple(name="pump_lines", at="pump", group="mechanical", amplitudes={5: 0.03, 34: 0.02})
+    free = with_phases(bench(GEARED, tmp_path).rig + motor + pump)  # the pump turns once in 6.8 turns of the motor
+    assert free.part("motor_lines").phases == {5: 0.0}
+    assert free.part("pump_lines").phases == {34: pytest.approx(0.5 * pi)}
+    assert [knob.name for knob in phases(free)] == ["pump_lines.phases.34"]
 
 
 @pytest.mark.parametrize("direction", [1.0, -1.0])

@@ -1,7 +1,8 @@
-"""Lines of one order on one shaft: their sum depends on the phase between them, which is the same in all runs.
+"""Lines of one order of the motor: their sum depends on the phase between them, which is the same in all runs.
 
 Two torques of amplitudes a and b that turn with one shaft leave ``|H_a a + H_b b exp(i phi)|^2`` in the reading. Nobody
-states phi; it is a parameter. Where the shafts turn in another ratio, each start finds another phase.
+states phi; it is a parameter. Gears and toothed belts hold the angle of a shaft to that of another, so that a line of
+order k on a shaft that turns n / k times as fast as the motor is a line of order n of it.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from torquerig.rig.assembly import Rig
 
 _SQUARE = 0.5 * pi  # [rad] between two lines whose powers add
 _SPREAD = 1.2  # [rad] about it: that lines oppose each other is as likely as that they add
-_ONE_SHAFT = 1e-9  # [1] relative difference of two speeds that are the same
+_DIGITS = 9  # of an order: lines that differ later have the same one
 
 
 def with_phases(rig: Rig) -> Rig:
@@ -38,13 +39,16 @@ def phases(rig: Rig) -> Iterator[Knob]:
 
 
 def _shared(rig: Rig) -> list[tuple[str, float, bool]]:
-    """Return part, order and whether it is the first, of lines on shafts that turn as the motor and share an order."""
+    """Return part, order and whether it is the first, of lines that have one order of the motor."""
     turns = Twin(rig).turns
     lines = [
-        (ripple.name, order) for ripple in rig.parts_of(TorqueRipple)
-        if abs(turns.get(rig.node(ripple.at), 0.0) - 1) < _ONE_SHAFT for order in ripple.amplitudes
-    ]  # fmt: skip
-    orders = [order for _, order in lines]
-    return [
-        (part, order, orders.index(order) == at) for at, (part, order) in enumerate(lines) if orders.count(order) > 1
+        (ripple.name, order, abs(turns[rig.node(ripple.at)] * order))
+        for ripple in rig.parts_of(TorqueRipple)
+        if rig.node(ripple.at) in turns
+        for order in ripple.amplitudes
     ]
+    orders = [round(each, _DIGITS) for _, _, each in lines]
+    return [
+        (part, order, orders.index(orders[at]) == at)
+        for at, (part, order, _) in enumerate(lines) if orders.count(orders[at]) > 1
+    ]  # fmt: skip
