@@ -10,7 +10,7 @@ from torquerig.inference.addition import Addition
 from torquerig.inference.features.line_search import FoundLine, search_lines
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.fit import Data, Fit, fitted, sketched
-from torquerig.inference.knobs import with_free_load
+from torquerig.inference.knobs import Knob, with_free_load
 from torquerig.inference.measured_run import MeasuredRun, measured_runs
 from torquerig.inference.model import Model
 from torquerig.inference.model_density import model_densities
@@ -32,6 +32,7 @@ from torquerig.rig.parts import InductionDrive
 from torquerig.scenario.model import Scenario
 
 Progress = Callable[[str], None]
+Fitter = Callable[[Rig, Sequence[Knob], Data], Fit]
 
 SHORTEST = 2.0  # [s] a shorter recording has no spectrum of a load
 
@@ -177,13 +178,15 @@ def prepared(
     runs, judged = measured(rig)
     progress("fitting the parameters of the nominal model")
 
-    def read(of: Rig, runs: Sequence[MeasuredRun] | None = None, *, also: Sequence[Place] = ()) -> Reading:
+    def read(
+        of: Rig, runs: Sequence[MeasuredRun] | None = None, *, also: Sequence[Place] = (), fit: Fitter = sketched
+    ) -> Reading:  # fmt: skip
         runs = measured(of)[0] if runs is None else runs
         own = (order(line.order) for run in runs for line in Twin(of.at(run.run)).lines())
         seen = features_of(runs, sorted({*also, *own}))
-        return Reading(tuple(runs), seen, sketched(of, parameters(scenario, of, runs), seen))
+        return Reading(tuple(runs), seen, fit(of, parameters(scenario, of, runs), seen))
 
-    stated = read(rig, runs)
+    stated = read(rig, runs, fit=fitted)  # most others lose by far, and need no more than a sketch
     within = point.speed_set_point_error_max or SET_POINT_ERROR
     reading = (best_reading(stated, rig, read, set_point_error=within) if judged else stated).finished()
     known = reading.data.seen[0].places

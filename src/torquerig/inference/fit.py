@@ -96,14 +96,16 @@ def fitted(
     Log-evidence: ``log p(D, x^) - 1/2 log det H``, H the Hessian of the posterior in units of the prior (Laplace;
     MacKay 2003, Information Theory, Inference, and Learning Algorithms, 28).
     """
-    sketch = sketched(rig, knobs, data, start=start, gains=gains, off=off, jacobian=jacobian, nominal=nominal)
-    return finished(sketch, data)
+    return finished(
+        sketched(rig, knobs, data, start=start, gains=gains, off=off, jacobian=jacobian, nominal=nominal, rest=0.0),
+        data,
+    )
 
 
 def sketched(
     rig: Rig, knobs: Sequence[Knob], data: Data, *, start: Floats | None = None, gains: Floats | None = None,
     off: Discrepancy | None = None, jacobian: Floats | None = None, nominal: Rig | None = None,
-    iterations: int = _ITERATIONS,
+    iterations: int = _ITERATIONS, rest: float = _REST,
 ) -> Fit:  # fmt: skip
     """Return a fit that is near the maximum of the posterior, by derivatives that are right where it began.
 
@@ -120,6 +122,8 @@ def sketched(
         Derivatives of an earlier fit near the start; a column of NaN is made anew.
     nominal : Rig, optional
         The scenario's, where ``rig`` has additions.
+    rest : float
+        Share of a step whose derivatives are not made anew [1]; see ``followed``.
     """
     start = np.zeros(len(knobs)) if start is None else start.copy()
     gains = np.zeros(data.shapes[0].count) if gains is None else gains.copy()
@@ -127,8 +131,8 @@ def sketched(
     expected = at.expected(start)
     if expected is None:
         raise ValueError("the model cannot be evaluated at its start")
-    found = climbed(at, Point(start, gains, expected), iterations, jacobian=jacobian, rest=_REST)
-    return _settled(at, found, nominal or rig, iterations, rest=_REST)
+    found = climbed(at, Point(start, gains, expected), iterations, jacobian=jacobian, rest=rest)
+    return _settled(at, found, nominal or rig, iterations, rest=rest)
 
 
 def sketch_error(gain: float) -> float:
