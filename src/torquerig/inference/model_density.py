@@ -27,13 +27,27 @@ def _density(fit: Fit, data: Data, row: int) -> Callable[[Floats], Floats]:
     bands = data.seen[row].bands
     at, power = np.log(bands.middle), np.log(np.maximum(model.density.max(axis=0), 1e-300))
 
-    wide = _skirts(fit, data.seen[row], model)
+    wide, peaks = _skirts(fit, data.seen[row], model), _peaks(fit, data.seen[row], model)
 
     def density(frequency: Floats) -> Floats:
         base = np.exp(np.interp(np.log(np.maximum(frequency, bands.low[0])), at, power))
-        return np.asarray(np.maximum(base, wide(frequency)))
+        return np.asarray(np.maximum(base * peaks(frequency), wide(frequency)))
 
     return density
+
+
+def _peaks(fit: Fit, seen: RunFeatures, model: ExpectedRun) -> Callable[[Floats], Floats]:
+    """Return by what the load's density in a mode that is narrower than a band exceeds its mean in the band [1]."""
+    bands, twin = seen.bands, Twin(fit.fitted_rig.at(seen.run.run))
+    mean, share = twin.load_power_between(bands.low, bands.high), model.load_share.max(axis=0)
+
+    def higher(frequency: Floats) -> Floats:
+        at = np.log(np.maximum(frequency, bands.low[0]))
+        level, own = (np.interp(at, np.log(bands.middle), values) for values in (mean, share))
+        peak = twin.load_power(np.exp(at)) / np.maximum(level, 1e-300)
+        return np.asarray(1 + own * np.maximum(peak - 1, 0.0))
+
+    return higher
 
 
 def _skirts(fit: Fit, seen: RunFeatures, model: ExpectedRun) -> Callable[[Floats], Floats]:
