@@ -80,3 +80,13 @@ def test_slip_is_no_fault_and_what_exceeds_it_is(on_mains):
     assert speed_factor(read(share, stated=1500.0), on_mains, set_point_error=0.005) is None
     found = speed_factor(read(0.9 * share, stated=1500.0), on_mains, set_point_error=0.005)
     assert found.value == pytest.approx(0.9, abs=0.005)
+
+
+def test_a_ramp_has_the_slip_in_its_factor_already(on_mains):
+    share, _ = slipped(on_mains, drawn_run(1, speed=steady(1500.0)).run, ())
+    assert share < 0.98
+    turning = read(1.0, stated=1500.0)
+    runs = [
+        replace(run, recording=replace(run.recording, run=replace(run.run, profile="ramp"))) for run in turning.runs
+    ]
+    assert speed_factor(SimpleNamespace(runs=runs, fit=turning.fit), on_mains, set_point_error=0.005) is None

@@ -36,14 +36,16 @@ class Factor:
 def speed_factor(reading: Reading, rig: Rig, *, set_point_error: float) -> Factor | None:
     """Return the common factor of all speeds where no drive is so far off; else None.
 
-    A speed is expected at the set-point, within ``set_point_error`` [1], less the slip of an induction motor.
+    A speed is expected at the set-point, within ``set_point_error`` [1], less the slip of an induction motor. The
+    factor of a run whose speed changes is that to the simulated speed, which slips already.
     """
     steady = [run for run in reading.runs if run.is_steady] or list(reading.runs)
     drives = rig.of_kind("induction_drive")
     found = list[tuple[float, float]]()
     for run in steady:
         stated = None if run.run.speed is None else run.run.speed / run.speed_factor
-        share, unsure = slipped(rig, replace(run.run, speed=stated), reading.fit.knobs) if drives else (1, 0)
+        slips = drives and run.is_steady
+        share, unsure = slipped(rig, replace(run.run, speed=stated), reading.fit.knobs) if slips else (1, 0)
         followed = 0.0 if run.has_encoder else _FOLLOWED
         found.append((run.speed_factor / share, hypot(set_point_error / sqrt(3), followed, unsure)))
     factors, deviations = np.array(found).T
