@@ -63,3 +63,13 @@ def test_a_line_is_open_that_the_model_lacks_or_no_block_can_show(monkeypatch, a
     monkeypatch.setattr(located, "lacks", lambda *_: is_lacking)
     outcome = SimpleNamespace(nominal=None, data=SimpleNamespace(seen=(seen,)))
     assert located._is_open(outcome, Place("frequency", at)) is is_open
+
+
+@pytest.mark.parametrize(("axis", "at"), [("level", -4.0), ("speed", 50.0 * 0.25 * 30 / np.pi)])
+def test_a_place_over_a_quantity_has_a_width_also_where_torque_or_shaft_turn_back(monkeypatch, axis, at):
+    monkeypatch.setattr(located, "effort_unit", lambda _: "N*m")
+    monkeypatch.setattr(located, "shafts_of", lambda _: [SimpleNamespace(turns=1.0), SimpleNamespace(turns=-0.25)])
+    seen = SimpleNamespace(level=np.array([-4.0]), level_speed=np.array([[-50.0, -50.0]]))
+    found = located._over(SimpleNamespace(completed=None), seen, 0, axis)
+    assert found["at"] == pytest.approx(at, rel=1e-4)
+    assert found["width"] == pytest.approx(0.1 * abs(at), rel=1e-4)

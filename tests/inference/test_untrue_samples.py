@@ -84,7 +84,7 @@ def test_samples_at_a_limit_are_stated(pump):
 def test_untrue_samples_leave_no_verdict_but_unexplained_and_are_located(pump):
     rig, (first, second) = pump
     untrue = shown(rig, [with_samples(first, copied), second]).untrue
-    assert verdict(SimpleNamespace(untrue=untrue), ()) == "unexplained"
+    assert verdict(SimpleNamespace(untrue=untrue)) == "unexplained"
     place = fault_place(untrue[0])
     assert (place["domain"], place["axis"], place["at"]) == ("time", "s", pytest.approx(2.0))
     assert (place["width"], place["recordings"]) == (pytest.approx(0.04), ["run1.parquet"])

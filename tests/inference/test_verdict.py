@@ -1,4 +1,4 @@
-"""When a nameless effect or a number changes the verdict: the model without it fails, or its odds reject that model."""
+"""When a nameless effect changes the verdict: its odds reject the model without it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ import pytest
 from torquerig.inference.addition import Addition
 from torquerig.inference.answer import sizes
 from torquerig.inference.answer import verdict as word
-from torquerig.inference.knobs import Knob
 
 EFFECT = Addition(kind="level_course", parts=(SimpleNamespace(name="unnamed_course"),), log_odds=-4.0)
 
@@ -33,29 +32,6 @@ def test_an_effect_that_cannot_be_left_out_says_nothing(monkeypatch):
     monkeypatch.setattr(word, "refitted", lambda *_, **__: None)
     outcome = SimpleNamespace(model=SimpleNamespace(fit=SimpleNamespace(log_evidence=1.0)), data=None, held=None)
     assert not word.are_evident(outcome, [EFFECT])
-
-
-@pytest.mark.parametrize(("odds", "passes", "is_wrong"), [(13.4, True, False), (13.4, False, True), (40.0, True, True)])
-def test_a_number_is_wrong_where_the_stated_one_is_not_adequate_or_its_odds_are_clear(
-    monkeypatch, odds, passes, is_wrong
-):
-    number = Addition(kind="parameter", knobs=(Knob("controller", "kp", 1.4),), log_odds=-5.0)
-    full, stated = SimpleNamespace(log_evidence=105.0 + odds), SimpleNamespace(log_evidence=100.0)
-    kept = [Knob("controller", "kp", 0.1), Knob("motor", "inertia", 0.1)]
-    left = []
-
-    def refitted(_fit, _data, *, keeps, without):
-        left.extend(knob.name for knob in kept if keeps(knob))
-        assert not without
-        return stated
-
-    monkeypatch.setattr(word, "far_numbers", lambda _: [number])
-    monkeypatch.setattr(word, "refitted", refitted)
-    monkeypatch.setattr(word, "held_out_density", lambda *_: 0.0)
-    monkeypatch.setattr(word, "significant", lambda *_: (() if passes else ("excess",), ()))
-    outcome = SimpleNamespace(model=SimpleNamespace(fit=full), data=None, held=None)
-    assert word.wrong_numbers(outcome) == ([number] if is_wrong else [])
-    assert left == ["motor.inertia"]
 
 
 def test_what_is_large_in_a_quiet_run_is_no_minor_effect(monkeypatch):

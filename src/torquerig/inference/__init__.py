@@ -13,7 +13,8 @@ discrepancy             how far a right model may be off           model_density
 readings/               other readings of the samples: with a fact of the set-up corrected
 knobs                   parameters of parts that a fit may change
 parameters, fit         the nominal rig's numbers, their maximum of the posterior, and the evidence
-climb, moved_gain       the way to that maximum, and slopes; data: features of all runs
+climb, slopes           the way to that maximum, derivatives; moved_gain: by one gain; data: features of all runs
+shared_orders           the phase between lines of one order
 additions/, addition    hypotheses: nameless effects, numbers far off, mechanisms
 context, shafts, tones, one_size, gap_width    for them; undecided_lines: orders that may be frequencies
 mean_torques            how much of the mean torques a course explains

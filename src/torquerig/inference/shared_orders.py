@@ -22,7 +22,7 @@ _DIGITS = 9  # of an order: lines that differ later have the same one
 
 
 def with_phases(rig: Rig) -> Rig:
-    """Return the rig with phases of the lines that share order and shaft, where none is stated."""
+    """Return the rig with phases of the lines that share an order of the motor, where none is stated."""
     for part, order, first in _shared(rig):
         ripple = rig.part(part)
         if isinstance(ripple, TorqueRipple) and order not in ripple.phases:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from torquerig.inference.answer.confidence import named, nameless
+from torquerig.inference.answer.confidence import far_numbers, named, nameless
 from torquerig.inference.answer.effects import finding, finding_of_number, unnamed
 from torquerig.inference.answer.held_out_figures import fit_figures
 from torquerig.inference.answer.isolated import next_experiment, next_experiment_for_nameless, upper_limits
@@ -17,7 +17,7 @@ from torquerig.inference.answer.owned import owned
 from torquerig.inference.answer.rms import rms_errors
 from torquerig.inference.answer.setup_facts import fault_answer, number_answer
 from torquerig.inference.answer.tried import rejected
-from torquerig.inference.answer.verdict import verdict, wrong_numbers
+from torquerig.inference.answer.verdict import verdict
 from torquerig.inference.engine import Outcome
 from torquerig.inference.measured_run import MeasuredRun
 
@@ -26,11 +26,10 @@ SCHEMA = "torquerig.diagnosis/1"
 
 def as_json(outcome: Outcome) -> dict[str, Any]:
     """Return the answer in the contract's form."""
-    wrong = wrong_numbers(outcome)
-    far = [(each, owned(outcome, each)) for each in wrong]
+    far = [(each, owned(outcome, each)) for each in far_numbers(outcome)]
     numbers = (number_answer(outcome, each) for each, owner in far if owner is None)
     faults = (fault_answer(each, outcome.model.fit) for each in outcome.setup)
-    word = verdict(outcome, wrong)
+    word = verdict(outcome)
     return {
         "schema": SCHEMA,
         "verdict": word,

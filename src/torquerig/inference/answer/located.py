@@ -80,18 +80,14 @@ def _of_excesses(
     return rows
 
 
-def _over(outcome: Outcome, seen: RunFeatures, at: int, axis: str) -> dict[str, Any]:
+def _over(outcome: Outcome, seen: RunFeatures, part: int, axis: str) -> dict[str, Any]:
     """Return the place of a mean torque over the speed of the last shaft or over the torque."""
     if axis == "level":
-        level = float(seen.level[at])
-        return {
-            "domain": axis,
-            "axis": effort_unit(outcome.completed),
-            "at": digits(level),
-            "width": digits(_PART * level),
-        }
-    rpm = float(np.abs(seen.level_speed[at]).mean()) * shafts_of(outcome.completed)[-1].turns * 30 / pi
-    return {"domain": axis, "axis": "rpm", "at": digits(rpm), "width": digits(_PART * rpm)}
+        at, unit = float(seen.level[part]), effort_unit(outcome.completed)
+    else:
+        turns = abs(shafts_of(outcome.completed)[-1].turns)
+        at, unit = float(np.abs(seen.level_speed[part]).mean()) * turns * 30 / pi, "rpm"
+    return {"domain": axis, "axis": unit, "at": digits(at), "width": digits(_PART * abs(at))}
 
 
 def _of_additions(outcome: Outcome) -> Iterator[Place]:

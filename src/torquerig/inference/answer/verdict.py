@@ -19,8 +19,8 @@ from torquerig.inference.prediction.expected_run import expected_run
 from torquerig.inference.refitted import refitted
 
 
-def verdict(outcome: Outcome, far: Sequence[Addition]) -> str:
-    """Return the contract's word for what was found; ``far`` are the numbers that are surely wrong."""
+def verdict(outcome: Outcome) -> str:
+    """Return the contract's word for what was found."""
     if outcome.untrue:
         return "unexplained"
     if not outcome.judged:
@@ -30,22 +30,10 @@ def verdict(outcome: Outcome, far: Sequence[Addition]) -> str:
         return "unexplained"
     if large and (not explains(outcome, large) or are_evident(outcome, large)):
         return "unexplained"
+    far = far_numbers(outcome)
     if named(outcome) or any(owned(outcome, each) for each in far):
         return "missing_physics"
     return "setup_error" if outcome.setup or far else "adequate"
-
-
-def wrong_numbers(outcome: Outcome) -> list[Addition]:
-    """Return the numbers that are surely far from what is stated.
-
-    None where the rig with the stated ones passes the test of adequacy and the odds do not reject it: of dozens of
-    numbers one or the other always fits a little better elsewhere.
-    """
-    far = far_numbers(outcome)
-    stated = _refitted(outcome, far) if far else None
-    if stated is None or significant(outcome, stated)[0] or _is_rejected(outcome, stated, far):
-        return far
-    return []
 
 
 def explains(outcome: Outcome, less: Sequence[Addition]) -> bool:
@@ -61,26 +49,17 @@ def are_evident(outcome: Outcome, each: Sequence[Addition]) -> bool:
     place of an effect counts, where the largest one or their sum says little. Prior odds stand for the places that were
     searched. As in ``confidence``, ``TEMPER`` nats count for one.
     """
-    less = _refitted(outcome, each)
-    return less is not None and _is_rejected(outcome, less, each)
+    fit, names = outcome.model.fit, frozenset(part.name for one in each for part in one.parts)
+    less = refitted(fit, outcome.data, keeps=lambda knob: knob.part not in names, without=names)
+    return less is not None and is_rejected(outcome, less, each)
 
 
-def _is_rejected(outcome: Outcome, less: Fit, each: Sequence[Addition]) -> bool:
+def is_rejected(outcome: Outcome, less: Fit, each: Sequence[Addition]) -> bool:
     """Return whether the odds of some additions reject a fit without them."""
     fit = outcome.model.fit
     odds = fit.log_evidence - less.log_evidence + sum(one.log_odds for one in each)
     held_out = held_out_density(fit, outcome.held) - held_out_density(less, outcome.held)
     return odds + held_out > TEMPER * log(1 / LEVEL_OF_TEST)
-
-
-def _refitted(outcome: Outcome, less: Sequence[Addition]) -> Fit | None:
-    """Return the completed model fitted anew without some additions, numbers at their stated values."""
-    parts = frozenset(part.name for each in less for part in each.parts)
-    numbers = frozenset(knob.name for each in less if not each.parts for knob in each.knobs)
-    return refitted(
-        outcome.model.fit, outcome.data, keeps=lambda knob: knob.part not in parts and knob.name not in numbers,
-        without=parts,
-    )  # fmt: skip
 
 
 def _less(outcome: Outcome, less: Sequence[Addition]) -> Fit:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from math import log, pi
 
 import numpy as np
@@ -65,13 +64,16 @@ class _Beats:
     turned: float
 
 
-@lru_cache(maxsize=8)
 def search_impacts(seen: tuple[RunFeatures, ...], turns: float) -> Impact | None:
     """Return the clearest beat of a shaft that turns ``turns`` times per turn of the motor, or None.
 
     Searched are single blocks, in which an angle that was estimated hardly drifts, and all blocks of a run together,
     in which a slow shaft turns often enough. Those are held-out blocks too: beats are no feature that a model predicts.
     """
+    return seen[0].kept.get("impacts", (seen[1:], turns), lambda: _search(seen, turns)) if seen else None
+
+
+def _search(seen: Sequence[RunFeatures], turns: float) -> Impact | None:
     top = _HIGHEST * min((one.run.rate for one in seen), default=0.0)
     found = [
         _clearest([each for one in seen for each in _beats_of(one, top, joined) if each.turned * turns > _TURNS],
@@ -102,9 +104,12 @@ def _clearest(beats: Sequence[_Beats], turns: float, middles: Sequence[float]) -
     return Impact(order, middles[loudest], log_p_by_band, _OVERSAMPLED * step)
 
 
-@lru_cache(maxsize=64)
 def _beats_of(seen: RunFeatures, top: float, joined: bool) -> tuple[_Beats, ...]:
-    return tuple(_of_pieces(seen, top, _joined(seen.run) if joined else [(each,) for each in _fitted_blocks(seen)]))
+    def made() -> tuple[_Beats, ...]:
+        pieces = _joined(seen.run) if joined else [(each,) for each in _fitted_blocks(seen)]
+        return tuple(_of_pieces(seen, top, pieces))
+
+    return seen.kept.get("beats", (top, joined), made)
 
 
 def _fitted_blocks(seen: RunFeatures) -> Iterator[Block]:

@@ -64,17 +64,9 @@ def noise_ratios(run: MeasuredRun, places: Sequence[Place], density: Density) ->
             turning, order_step = _over_noise(by_angle, run.rate, density), 2 * pi / abs(turned) * (1 - 1 / rest.size)
         speeds = float(turning_at.min()), float(turning_at.max())
         each = NoiseRatios(
-            run,
-            run.smearing(part),
-            float(turning_at.mean()),
-            speeds,
-            turning,
-            order_step,
-            direct,
-            step,
-            part.start,
-            rest,
-        )
+            run, run.smearing(part), float(turning_at.mean()), speeds, by_order=turning, order_step=order_step,
+            by_frequency=direct, frequency_step=step, start=part.start, rest=rest,
+        )  # fmt: skip
         _ignore(each, places, reach=NEAR * rest.size / min(block.stop - block.start for block in blocks))
         answer.append(each)
     return answer

@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any
 
 from torquerig.inference.answer import as_json
+from torquerig.inference.answer.stated_numbers import with_stated_numbers
 from torquerig.inference.engine import Outcome, diagnose
 from torquerig.inference.knobs import unvaried
 from torquerig.inference.motion.answer import as_json as motion_json
@@ -45,7 +46,9 @@ def diagnosed(
     compared = as_compared(scenario, recordings)
     if imposed_part(scenario.rig) is not None:
         return _moved(scenario, compared, held_out=held_out, seed=seed, progress=progress)
-    outcome = diagnose(compared.scenario, compared.recordings, held_out=held_out, progress=progress)
+    outcome = with_stated_numbers(
+        diagnose(compared.scenario, compared.recordings, held_out=held_out, progress=progress)
+    )  # fmt: skip
     found = as_json(outcome)
     data = {**found, "remarks": [*_before(compared), *found["remarks"]]}
     completed = with_sensor_errors(outcome.completed, scenario.rig) if outcome.completes else None
