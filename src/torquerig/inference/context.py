@@ -25,7 +25,7 @@ from torquerig.linear_twin.twin import Twin
 from torquerig.rig.assembly import Part, Rig
 
 SHARE_OF_SIGNAL = 0.03  # [1] of the signal's standard deviation: median of the prior of an amplitude
-_SAME_MULTIPLE = 2e-3  # [1] relative: so near to a whole multiple of a line another one is its harmonic
+SAME_MULTIPLE = 2e-3  # [1] relative: so near to a whole multiple of a line another one is its harmonic
 _UNMEASURED = 6e-3  # [1] relative error of a found order where no angle was measured: half of what smears a line
 _SAME_ORDER = 4e-3  # [1/rev] so near to an order of a shaft a line is taken to be at it
 _LACKING = 4.0  # [1] of the power that a model expects: 6 dB more is no error of a line's size
@@ -82,7 +82,7 @@ class Context:
     def order_error(self) -> float:
         """Relative error of the orders of found lines [1]."""
         measured = all(seen.run.has_encoder for seen in self.data.seen)
-        return _SAME_MULTIPLE if measured else _UNMEASURED
+        return SAME_MULTIPLE if measured else _UNMEASURED
 
     @cached_property
     def order_step(self) -> float:
@@ -133,7 +133,7 @@ class Context:
         answer = {1: place}
         for line in self.lines:
             multiple = round(line.place.at / place.at) if line.place.domain == place.domain else 0
-            within = self.order_error if place.domain == "order" else _SAME_MULTIPLE
+            within = self.order_error if place.domain == "order" else SAME_MULTIPLE
             if 2 <= multiple <= most and abs(line.place.at / (multiple * place.at) - 1) < within:
                 answer.setdefault(multiple, line.place)
         return dict(sorted(answer.items()))

@@ -7,7 +7,7 @@ from math import prod
 
 from torquerig import mechanisms
 from torquerig.inference.addition import DECADE, Addition, Reported, free_name
-from torquerig.inference.context import Context, harmonics
+from torquerig.inference.context import SAME_MULTIPLE, Context, harmonics
 from torquerig.inference.knobs import Knob
 from torquerig.inference.places import Place
 from torquerig.linear_twin.twin import Twin
@@ -38,7 +38,8 @@ def propose(context: Context) -> Iterator[Addition]:
             for order, place in {**smeared, **context.at_orders(own, orders)}.items():
                 yield from _mesh(context, gear.name, own, order, place, log_odds=_STATED)
             continue
-        for line in context.lines:
+        has_one = any(mesh.gear == gear.name for mesh in context.rig.parts_of(mechanisms.GearMesh))
+        for line in () if has_one else context.lines:  # a wheel has one number of teeth
             teeth = context.whole(line.place, own)
             if teeth is not None and teeth >= _FEWEST:
                 yield from _mesh(context, gear.name, own, float(teeth), line.place, log_odds=_WHOLE)
@@ -83,12 +84,26 @@ def _mesh(
 def _side_lines(
     context: Context, turns: float, teeth: float, multiples: Mapping[int, Place | None]
 ) -> tuple[int, tuple[Place, ...]]:
-    """Return the distance of found pairs of side lines from the mesh [1/rev], 0 where there are none, and the lines."""
-    best, distance = dict[float, Place](), 0
+    """Return the distance of found pairs of side lines from the mesh [1/rev], 0 where there are none, and the lines.
+
+    They are looked for relative to the found mesh: all lines of a run share the error of its angle.
+    """
+    others = [line.place for line in context.lines if line.place.domain == "order"]
+    others = [place for place in others if place not in multiples.values()]
+    best, distance = list[Place](), 0
     for side in _SIDES:
-        pairs = [(multiple * teeth - side, multiple * teeth + side) for multiple in multiples]
-        own = context.at_orders(turns, (order for pair in pairs for order in pair))
-        own = {order: own[order] for pair in pairs if own.keys() >= set(pair) for order in pair}
+        own = list[Place]()
+        for multiple, place in multiples.items():
+            whole = multiple * teeth
+            unit = place.at / whole if place else turns
+            pair = [_nearest(context, others, (whole + way * side) * unit) for way in (-1, 1)]
+            own += [each for each in pair if each is not None] if None not in pair else []
         if len(own) > len(best):
             best, distance = own, side
-    return distance, tuple(place for place in best.values() if place not in multiples.values())
+    return distance, tuple(best)
+
+
+def _nearest(context: Context, places: Sequence[Place], order: float) -> Place | None:
+    """Return a place at an order of the motor, None where there is none."""
+    near = max(SAME_MULTIPLE * order, context.order_step)
+    return next((each for each in places if abs(each.at - order) < near), None)
