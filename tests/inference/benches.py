@@ -38,6 +38,10 @@ PUMP = f"""\
 {FREE}\
   load: {{kind: particle_load, at: pump, mean_by_occupancy_percent: {{0: 1 N*m, 100: 2 N*m}}, hit_rms: 0.02}}
 """
+RIPPLED = f"""\
+{PUMP}\
+  motor_lines: {{kind: torque_ripple, at: motor, group: mechanical, amplitudes: {{24: 0.02 N*m}}, amplitude_rel_sd: 0.25}}
+"""
 GEARED = f"""\
 scenario: bench with belt and gearbox
 operating_point: {{motor_speed: 1200 rpm}}

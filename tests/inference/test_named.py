@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.inference.benches import FREE, GEARED, PUMP, bench, recorded
+from tests.inference.benches import FREE, GEARED, PUMP, RIPPLED, bench, recorded
 from torquerig import mechanisms
 from torquerig.inference import sample_faults
 from torquerig.inference.answer import as_json
 from torquerig.inference.engine import diagnose
 from torquerig.sensor_stages.clip import Clip
 
-BENCHES = {"free": FREE, "pump": PUMP, "geared": GEARED}
+BENCHES = {"free": FREE, "pump": PUMP, "geared": GEARED, "rippled": RIPPLED}
 
 # bench, what it lacks, the name (with its variant), parameters of the answer and their true values
 HIDDEN = {
@@ -59,6 +59,11 @@ HIDDEN = {
     "back_emf_harmonics": (
         "pump", mechanisms.BackEmfHarmonics(name="x", at="motor", shares={7: 0.08}), "commutation_ripple",
         {"order_motor": 24},
+    ),
+    "commutation_ripple": (
+        "rippled",
+        mechanisms.CommutationRipple(name="x", at="motor", order_motor=24.0, depth=0.05, harmonics=(0.02,)),
+        "commutation_ripple", {"order_motor": 24, "depth": 0.05},
     ),
     "encoder_error": (
         "pump", mechanisms.EncoderError(name="x", at="motor", amplitudes={1: 0.01}), "encoder_error",

@@ -168,6 +168,12 @@ class Context:
             and all(smears(skirts, seen, order) for skirts, seen in self._skirts)
         ]  # fmt: skip
 
+    def on_known_lines(self, orders: Iterable[float]) -> dict[float, Place]:
+        """Return the places of lines of the rig that are at orders of the motor, by these."""
+        found = {line.place for line in self.lines}
+        known = {place for seen in self.data.seen for place in seen.places if place.domain == "order"} - found
+        return {order: each for order in orders for each in known if abs(each.at / order - 1) < self.order_error}
+
     def size_of(self, unit: Part, place: Place | None) -> tuple[float, float]:
         """Return by which factor ``unit`` explains the line at ``place``, and the median of the factor's prior.
 

@@ -19,15 +19,21 @@ _HARMONICS = 4
 
 
 def propose(context: Context) -> Iterator[Addition]:
-    """Yield a ripple for each found whole order of each motor, and for those of its field that no search finds."""
+    """Yield a ripple for each found whole order of each motor, and for those of its field that no search finds.
+
+    No search finds what sway spreads or what falls on another line of the rig.
+    """
     for motor in context.rig.parts_of(Motor):
         for line in context.lines:
             order = context.whole(line.place)
             if order is not None:
                 yield from _ripple(context, motor, order, context.multiples(line.place, most=_HARMONICS))
         pairs = motor.pole_pairs or 0
-        for own in context.smeared([pairs, 2 * pairs, 6 * pairs]) if pairs else ():
+        of_field = [pairs, 2 * pairs, 6 * pairs] if pairs else []
+        for own in context.smeared(of_field):
             yield from _ripple(context, motor, int(own), {1: None})
+        for own, place in context.on_known_lines(of_field).items():
+            yield from _ripple(context, motor, int(own), context.multiples(place, most=_HARMONICS))
 
 
 def _ripple(context: Context, motor: Motor, order: int, multiples: Mapping[int, Place | None]) -> Iterator[Addition]:
