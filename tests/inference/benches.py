@@ -40,7 +40,8 @@ PUMP = f"""\
 """
 RIPPLED = f"""\
 {PUMP}\
-  motor_lines: {{kind: torque_ripple, at: motor, group: mechanical, amplitudes: {{24: 0.02 N*m}}, amplitude_rel_sd: 0.25}}
+  motor_lines: {{kind: torque_ripple, at: motor, group: mechanical, amplitudes: {{24: 0.02 N*m}},
+                amplitude_rel_sd: 0.25}}
 """
 GEARED = f"""\
 scenario: bench with belt and gearbox
