@@ -13,10 +13,13 @@ from torquerig.inference.features.run_features import run_features
 from torquerig.inference.kept import MOST, Kept
 from torquerig.inference.places import order
 from torquerig.inference.prediction.expected_run import expected_run
+from torquerig.inference.prediction.line_features import line_features
+from torquerig.linear_twin.twin import Twin
 
 CHANGES = (
     ("lines", {"amplitudes": {1.0: 0.5, 3.2: 0.1}}), ("load", {"hit_rms": 0.6}), ("pump", {"inertia": 0.04}),
-    ("sensor", {"bandwidth": 60.0}), ("load", {"mean_by_occupancy_percent": {0: 3.0, 100: 3.0}}),
+    ("sensor", {"bandwidth": 60.0}), ("sensor", {"noise_rms": 0.02}), ("lines", {"phases": {1.0: 0.5}}),
+    ("load", {"mean_by_occupancy_percent": {0: 3.0, 100: 3.0}}),
 )  # fmt: skip
 
 
@@ -30,6 +33,16 @@ def test_a_model_expects_the_same_after_others(speed, followed, tmp_path):
         after, alone = expected_run(one, seen), expected_run(one, replace(seen))
         for each in fields(alone):
             assert np.array_equal(getattr(after, each.name), getattr(alone, each.name)), each.name
+
+
+def test_what_a_change_cannot_reach_is_not_evaluated_again(tmp_path):
+    run = drawn_run(1, speed=steady(1000), orders={1.0: 0.3})
+    seen, rig = run_features(run, [order(1.0)]), pump_scenario(tmp_path).rig
+    noisier = rig.changed(replace(rig.part("sensor"), noise_rms=0.02))
+    emptier = rig.changed(replace(rig.part("load"), mean_by_occupancy_percent={0: 2.0, 100: 3.0}))
+    assert line_features(Twin(noisier.at(run.run)), seen) is line_features(Twin(rig.at(run.run)), seen)
+    assert expected_run(noisier, seen) is not expected_run(rig, seen)
+    assert expected_run(emptier, seen) is expected_run(rig, seen)
 
 
 def test_answers_are_made_once_and_the_oldest_goes():

@@ -210,7 +210,7 @@ class Rig:
 
     @cached_property
     def _terms(self) -> tuple[Term, ...]:
-        terms = tuple(term for part in self.parts for term in self._terms_of(part))
+        terms = tuple(term for part in self.parts for term in self.terms_of(part))
         refuse_misplaced(self)
         refuse_locked(terms, speed=self.run.speed or 0.0)
         carried = {GROUND} | {term.node for term in terms if isinstance(term, Inertia) and term.inertia > 0}
@@ -224,7 +224,8 @@ class Rig:
                         )
         return terms
 
-    def _terms_of(self, part: Part) -> tuple[Term, ...]:
+    def terms_of(self, part: Part) -> tuple[Term, ...]:
+        """Return the physics of one of the parts."""
         if part.name not in self._terms_by_part:
             self._terms_by_part[part.name] = self._with_housing(part, tuple(part.terms(self)))
         return self._terms_by_part[part.name]
@@ -270,7 +271,7 @@ class Rig:
     def speed_ratios(self, reference: str) -> dict[str, float]:
         """Return the turns of each node per turn of the node ``reference``, by the gears between them."""
         shafts = [part for part in self.parts if part.opens_node]
-        springs = [term for part in shafts for term in self._terms_of(part) if isinstance(term, Spring)]
+        springs = [term for part in shafts for term in self.terms_of(part) if isinstance(term, Spring)]
         return speed_ratios(springs, reference)
 
 

@@ -13,7 +13,7 @@ def turns_per_motor_turn(rig: Rig, name: str) -> float:
     Negative behind a reversing gear. The elastic twist of the shafts between is not in it; with 3 N m on 1000 N m/rad
     that is 0.2 degrees. InputError where no shaft leads from the motor to the part.
     """
-    terms = [term for part in rig.parts for term in part.terms(rig)]
+    terms = [term for part in rig.parts for term in rig.terms_of(part)]
     driven = [term.on for kind in (Drive, ImposedMotion) for term in terms if isinstance(term, kind)]
     carried = [term.node for term in terms if isinstance(term, Inertia) and term.inertia > 0]
     if not carried:

@@ -102,7 +102,14 @@ class ExpectedRun:
 
 def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
     """Return what is expected of the run of ``seen``: by the linear twin, with what simulated gaps change of it."""
-    model = _by_twin(rig, seen)
+    twin = Twin(rig.at(seen.run.run))
+    loads = () if seen.run.is_steady else {load.name for load in loads_of(twin.rig)}  # they may depend on the speed
+    parts = [repr(part) for part in rig.parts if part.name in loads]
+    key = (twin.terms, twin.rig.stages(), twin.cutoff, twin.scale, rig.measured, *parts)
+    return seen.kept.get("expected", key, lambda: _with_gaps(rig, seen, _by_twin(twin, rig, seen)))
+
+
+def _with_gaps(rig: Rig, seen: RunFeatures, model: ExpectedRun) -> ExpectedRun:
     change = gap_change(rig, seen)
     if change is None:
         return model
@@ -113,8 +120,7 @@ def expected_run(rig: Rig, seen: RunFeatures) -> ExpectedRun:
     )  # fmt: skip
 
 
-def _by_twin(rig: Rig, seen: RunFeatures) -> ExpectedRun:
-    twin = Twin(rig.at(seen.run.run))
+def _by_twin(twin: Twin, rig: Rig, seen: RunFeatures) -> ExpectedRun:
     recorded = passed_by_logger(twin.rig, seen.bands.middle)
     load = recorded * _load(twin, rig, seen)
     noise = chain_noise(twin.rig, seen)

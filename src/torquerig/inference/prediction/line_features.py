@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.prediction.kept_twin import kept_skirts
 from torquerig.inference.prediction.line_routes import LineRoutes, line_routes
-from torquerig.inference.prediction.rig_lines import SHIFT, RigLines, beat_variance, rig_lines
+from torquerig.inference.prediction.rig_lines import SHIFT, RigLines, beat_variance, lines_key, rig_lines
 from torquerig.inference.prediction.skirts import core_of, density_of
 from torquerig.inference.prediction.slow_lines import UnshownLines
 from torquerig.linear_twin.twin import Twin
@@ -50,6 +50,10 @@ class LineFeatures:
 
 def line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
     """Return where the lines of a rig show in the features of a run."""
+    return seen.kept.get("lines", lines_key(twin, seen), lambda: _line_features(twin, seen))
+
+
+def _line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
     count, places = len(seen.segments), len(seen.places)
     density, unshown, shown = np.zeros((count, seen.bands.low.size)), list[UnshownLines](), list[_Shown]()
     turning = np.maximum(np.abs(seen.speed) / (2 * pi), 1e-12)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Hashable, Iterator, Sequence
 from math import pi
 from typing import NamedTuple
 
@@ -11,13 +11,17 @@ from numpy.typing import NDArray
 from scipy.special import spence
 
 from torquerig.inference.features.run_features import RunFeatures
-from torquerig.inference.prediction.kept_twin import speed_balance
+from torquerig.inference.prediction.kept_twin import loads_of, speed_balance
 from torquerig.inference.prediction.measuring_chain import crosstalk_lines, passed_by_logger
 from torquerig.inference.prediction.phase_modulation import side_lines
 from torquerig.inference.prediction.ringing import ringing_lines
 from torquerig.inference.prediction.swayed_response import swayed_lines
 from torquerig.linear_twin.twin import LineSource, Twin, passed, sources
+from torquerig.sensor_stages.band_noise import BandNoise
+from torquerig.sensor_stages.flicker import FlickerNoise
 from torquerig.sensor_stages.gain_ripple import GainRipple
+from torquerig.sensor_stages.noise import WhiteNoise
+from torquerig.sensor_stages.scale_and_zero import ScaleAndZero
 from torquerig.sensor_stages.tone import Tone, folded
 
 Floats = NDArray[np.float64]
@@ -27,6 +31,7 @@ SHIFT = 0.01  # [1] of the frequencies of the modes, for a difference quotient
 _OF_EXPONENTIAL = pi**2 / 6  # variance of the logarithm of an exponential variate
 _DIGITS = 9  # of a frequency: lines that differ later have the same one
 _NOTHING = 1e-300  # keeps quotients finite
+_ADDED = (WhiteNoise, FlickerNoise, BandNoise, ScaleAndZero)  # stages that neither make nor change a line
 _SLOWEST = 0.05  # of the slowest band: slower than this the response of the shafts is that at rest
 
 
@@ -53,6 +58,19 @@ class RigLines(NamedTuple):
     beats: bool = True
     about: Floats | None = None
     each: tuple[NDArray[np.intp], Floats] | None = None
+
+
+def lines_key(twin: Twin, seen: RunFeatures) -> tuple[Hashable, ...]:
+    """Return all that the lines in a run depend on; of the loads that is the sway that the angle does not follow."""
+    lines = tuple((each.owner, each.order, each.amplitude, each.node, each.phase, each.by_load,
+                   *(on for on, _ in each.transfer.acts)) for each in twin.lines())  # fmt: skip
+    stages = tuple(stage for stage in twin.rig.stages() if not isinstance(stage, _ADDED))
+    slow = any(line.by_load for line in twin.lines()) or any(isinstance(stage, GainRipple) for stage in stages)
+    balance = speed_balance(twin, seen) if slow else None
+    torques = () if balance is None else (balance.motor.tobytes(), balance.sensor.tobytes())
+    is_followed = np.isinf(seen.run.followed) and {line.node for line in twin.lines()} <= {twin.drives[0].on}
+    loads = () if is_followed else loads_of(twin.rig)
+    return twin.shafts, twin.cutoff, twin.scale, lines, stages, loads, torques
 
 
 def rig_lines(twin: Twin, seen: RunFeatures) -> Iterator[RigLines]:
