@@ -60,7 +60,8 @@ def test_a_fit_ends_where_no_single_number_makes_the_posterior_larger(case, fit)
 
     def score(position):
         expected = at.expected(position[: len(knobs)])
-        return climb._score(data, expected, position[: len(knobs)], position[len(knobs) :], fit.off)
+        numbers, gains = position[: len(knobs)], position[len(knobs) :]
+        return climb._score(*climb._flat(data, expected, gains, fit.off), numbers, gains)
 
     steps = 0.02 * np.eye(place.size)
     slopes = np.array([(score(place + step) - score(place - step)) / 0.04 for step in steps])

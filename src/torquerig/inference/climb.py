@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from torquerig.errors import TorquerigError
 from torquerig.inference.data import Data, all_residuals
 from torquerig.inference.knobs import Knob, turned
-from torquerig.inference.likelihood import Discrepancy, Residuals, log_density
+from torquerig.inference.likelihood import Discrepancy, Residuals, log_density_of
 from torquerig.inference.moved_gain import residuals_with_moved_gain
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
 from torquerig.inference.slopes import gradient_of, hessian_of, row_weights, stacked
@@ -96,7 +96,8 @@ def followed(
     """
     data, off, made = at.data, at.off, start.made
     here, own, expected, slopes = start.positions, start.gains, start.expected, start.slopes
-    score, (value, sd) = _score(data, expected, here, own, off), _flat(data, expected, own, off)
+    value, sd = _flat(data, expected, own, off)
+    score = _score(value, sd, here, own)
     fresh, radius = np.zeros(slopes.shape[1], dtype=bool) if fresh is None else fresh, _RADIUS
     for _ in range(iterations):
         position = np.concatenate([here, own])
@@ -107,9 +108,10 @@ def followed(
             break
         there, other = (position + step)[: here.size], (position + step)[here.size :]
         reached = at.expected(there)
-        gained = _BAD if reached is None else _score(data, reached, there, other, off) - score
+        gained = _BAD
         if reached is not None:
             after, wider = _flat(data, reached, other, off)
+            gained = _score(after, wider, there, other) - score
             change = stacked(after * wider / sd - value, np.log(wider / sd))
             slopes = slopes + np.outer(change - slopes @ step, step) / length**2
         if reached is not None and gained > 0:
@@ -200,9 +202,8 @@ def slopes_at(at: Case, point: Point, *, kept: Floats | None = None) -> Floats:
     return slopes
 
 
-def _score(data: Data, expected: Sequence[ExpectedRun], positions: Floats, gains: Floats, off: Discrepancy) -> float:
-    total = sum(log_density(each) for each in all_residuals(data, expected, gains, off))
-    score = total - 0.5 * float(positions @ positions + gains @ gains)
+def _score(value: Floats, sd: Floats, positions: Floats, gains: Floats) -> float:
+    score = log_density_of(value, sd) - 0.5 * float(positions @ positions + gains @ gains)
     return score if np.isfinite(score) else _BAD
 
 
