@@ -11,6 +11,7 @@ first mode of its rig.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from math import pi
 
 import numpy as np
@@ -19,6 +20,7 @@ from numpy.typing import NDArray
 from torquerig.inference.features.run_features import RunFeatures
 
 Floats = NDArray[np.float64]
+Complex = NDArray[np.complex128]
 
 _POINTS = 48  # of a part
 _MOST_PERIODS = 6.0  # in a part: the mean of a faster line is below 3 % of its amplitude
@@ -47,36 +49,38 @@ class UnshownLines:
 
 def covariance_of_lines(seen: RunFeatures, lines: UnshownLines) -> Floats:
     """Return the covariance that lines leave in the levels of a run [(N m)^2], shape (levels, levels)."""
-    rows, which, shared = seen.kept.get("slow lines", (lines.follows, lines.at.tobytes()), lambda: _shared(seen, lines))
-    segment, count = seen.level_segment, len(seen.segments)
-    size = np.sqrt(2 * lines.square[rows])
-    together = np.zeros((len(shared), count, count))  # of all lines of one order, between two segments
-    np.add.at(together, which, size[:, :, None] * size[:, None, :])
-    at = segment[:, None] * count + segment[None]
-    total = np.zeros(at.shape)
-    for own, each in zip(together.reshape(len(shared), count * count), shared, strict=True):
-        total += each * own[at]
-    return total
+    phase, uncertain = seen.kept.get("phases", lines.follows, lambda: _phases(seen, follows=lines.follows))
+    slowest = 2 * pi * _MOST_PERIODS / max(float(np.ptp(phase, axis=1).min(initial=np.inf)), 1e-12)
+    rows = np.flatnonzero(lines.at < slowest)
+    orders, which = np.unique(np.round(lines.at[rows], _DIGITS), return_inverse=True)
+    means = np.array([seen.kept.get(f"mean of {order:.9g}, {lines.follows}", order, partial(_mean_of, order, phase))
+                      for order in orders.tolist()])  # fmt: skip
+    if not means.any():
+        return np.zeros(uncertain.shape)
+    own = means[which] * np.sqrt(lines.square[rows])[:, seen.level_segment]
+    if not uncertain.any():
+        return _summed(own)
+    moving = np.flatnonzero(means.any(axis=1))
+    known = seen.kept.get(
+        "known phases", (lines.follows, orders[moving].tobytes()),
+        lambda: np.exp(-0.5 * np.square(orders[moving, None, None] * uncertain)),
+    )  # fmt: skip
+    parts = [_summed(own[which == row]) * each for row, each in zip(moving.tolist(), known, strict=True)]
+    return np.asarray(np.sum(parts, axis=0))
 
 
-def _shared(seen: RunFeatures, lines: UnshownLines) -> tuple[NDArray[np.intp], NDArray[np.intp], Floats]:
-    """Return the lines that move a mean, which covariance is that of each, and these at the amplitude 1.
+def _summed(own: Complex) -> Floats:
+    """Return ``Re(G_i conj(G_j))`` summed over lines, shape (levels, levels)."""
+    both = np.concatenate([own.real, own.imag])
+    return np.asarray(both.T @ both)
 
-    Lines of one order share their covariance, shape (orders, levels, levels).
-    """
-    phase, uncertain = _phases(seen, follows=lines.follows)
-    orders, which = np.unique(np.round(lines.at, _DIGITS), return_inverse=True)
-    turned = orders[:, None] * np.ptp(phase, axis=1) / (2 * pi)
-    slow = np.flatnonzero((turned < _MOST_PERIODS).any(axis=1))
-    mean = np.exp(1j * orders[slow, None, None] * phase).mean(axis=2)
-    mean[turned[slow] >= _MOST_PERIODS] = 0.0
-    known = np.exp(-0.5 * np.square(orders[slow, None, None] * uncertain))
-    shared = 0.5 * (mean[:, :, None] * mean.conj()[:, None, :]).real * known
-    moves = np.einsum("lii->li", shared).max(axis=1, initial=0.0) > _NOTHING
-    row = np.full(orders.size, -1)
-    row[slow[moves]] = np.arange(int(moves.sum()))
-    moving = np.flatnonzero(row[which] >= 0)
-    return moving, row[which][moving], np.asarray(shared[moves])
+
+def _mean_of(order: float, phase: Floats) -> Complex:
+    """Return the mean of a line in each part [1], shape (levels,); all are 0 where it moves none."""
+    turned = order * np.ptp(phase, axis=1) / (2 * pi)
+    mean = np.where(turned < _MOST_PERIODS, np.exp(1j * order * phase).mean(axis=1), 0.0)
+    moves = 0.5 * np.square(np.abs(mean)).max(initial=0.0) > _NOTHING
+    return np.asarray(mean if moves else np.zeros_like(mean))
 
 
 def _phases(seen: RunFeatures, *, follows: bool) -> tuple[Floats, Floats]:
