@@ -30,7 +30,7 @@ NUMBER = Addition(kind="parameter")
 
 def outcome_of(*behind):
     alternatives = tuple((CHOSEN, other, gap) for other, gap in behind)
-    return SimpleNamespace(model=SimpleNamespace(additions=(CHOSEN,), alternatives=alternatives))
+    return SimpleNamespace(model=SimpleNamespace(additions=(CHOSEN,), alternatives=alternatives, refuted=()))
 
 
 def test_a_name_far_ahead_of_all_others_is_as_sure_as_the_set_of_hypotheses_is_complete():

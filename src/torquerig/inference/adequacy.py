@@ -105,6 +105,17 @@ def judged_run(seen: RunFeatures, each: Residuals, sampled: Residuals | None = N
     return JudgedRun(seen, each, size, {kind: float(beyond[each.kind == kind].sum()) for kind in _KINDS}, common)
 
 
+def judged_runs(fit: Fit, data: Data, held: Data) -> tuple[JudgedRun, ...]:
+    """Return the runs with fitted blocks and those with held-out ones, and what a model leaves of them."""
+    fit = replace(fit, off=usual(fit.off))
+    given, sampled = (
+        (*all_residuals(data, fit.expected, fit.gains, off), *held_residuals(replace(fit, off=off), held))
+        for off in (fit.off, _NOTHING_WRONG)
+    )
+    seen = (*data.seen, *held.seen)
+    return tuple(judged_run(*each) for each in zip(seen, given, sampled, strict=True))
+
+
 def excesses_of(
     fit: Fit, data: Data, held: Data, *, relevance: float
 ) -> tuple[tuple[Excess, ...], tuple[JudgedRun, ...]]:
@@ -113,13 +124,7 @@ def excesses_of(
     What is smaller than ``relevance`` [N m] rms in the reading does not count. The sizes of the discrepancy are the
     estimated ones, but no larger than is usual: a model that needs more does not explain its rig.
     """
-    fit = replace(fit, off=usual(fit.off))
-    given, sampled = (
-        (*all_residuals(data, fit.expected, fit.gains, off), *held_residuals(replace(fit, off=off), held))
-        for off in (fit.off, _NOTHING_WRONG)
-    )
-    seen = (*data.seen, *held.seen)
-    runs = tuple(judged_run(*each) for each in zip(seen, given, sampled, strict=True))
+    runs = judged_runs(fit, data, held)
     models = (*fit.expected, *(expected_run(fit.fitted_rig, one) for one in held.seen))
     changed = changes([(each.seen, model) for each, model in zip(runs, models, strict=True)])
     return excesses(runs, relevance, changed=changed), runs

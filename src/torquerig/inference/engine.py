@@ -14,6 +14,7 @@ from torquerig.inference.knobs import Knob, with_free_load
 from torquerig.inference.measured_run import MeasuredRun, measured_runs
 from torquerig.inference.model import Model
 from torquerig.inference.model_density import model_densities
+from torquerig.inference.own_features import refuted
 from torquerig.inference.parameters import parameters
 from torquerig.inference.places import Place, order
 from torquerig.inference.readings import SET_POINT_ERROR, Reading, SetupFault, best_reading
@@ -136,7 +137,7 @@ def diagnose(
         )
     held = features_of(runs, places, held_out=True)
     model = searched(nominal, data, held, lines, progress=progress) if ready.judged else Model(nominal, (), ())
-    model = replace(model, additions=(*ready.samples, *model.additions))
+    model = replace(model, additions=(*ready.samples, *model.additions), refuted=refuted(model, data, held))
     stated_held = features_of(ready.stated.runs, places, held_out=True) if ready.setup else held
     stated = ready.stated.fit if ready.setup else nominal
     return Outcome(

@@ -23,6 +23,8 @@ class Model:
         What was added, what was fitted in its place, and by how many nats of posterior odds that fell short.
     tried : tuple of (Addition, float)
         Proposals of the last round, and the gain of posterior odds [nats] that the local model promises for each.
+    refuted : tuple of Addition
+        Mechanisms that leave much of the features that they should explain.
     """
 
     fit: Fit
@@ -30,6 +32,7 @@ class Model:
     lines: tuple[FoundLine, ...]
     alternatives: tuple[tuple[Addition, Addition, float], ...] = ()
     tried: tuple[tuple[Addition, float], ...] = ()
+    refuted: tuple[Addition, ...] = ()
 
     @property
     def log_odds(self) -> float:

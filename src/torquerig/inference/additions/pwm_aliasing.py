@@ -30,7 +30,7 @@ def propose(context: Context) -> Iterator[Addition]:
     tones = [line.place for line in context.lines if line.place.domain == "frequency"]
     passed = _passed(context, np.array([place.at for place in tones]))
     for place, gain in zip(tones, passed.tolist(), strict=True):
-        if gain < _PASSED:
+        if gain < _PASSED and not rig.of_kind("pwm_aliasing"):  # a drive has one switching frequency
 
             def switching(volts: float, at: float = place.at) -> mechanisms.PwmAliasing:
                 return mechanisms.PwmAliasing(name=name, frequency=at, amplitude=volts)

@@ -60,8 +60,12 @@ def _is_nameless(other: Addition) -> bool:
 
 
 def named(outcome: Outcome) -> list[Addition]:
-    """Return the additions that are sure enough to be named."""
-    return [each for each in outcome.model.additions if each.is_named and confidence(outcome, each) >= LEAST]
+    """Return the additions that are sure enough to be named, and leave little of the features that they explain."""
+    refuted = {id(each) for each in outcome.model.refuted}
+    return [
+        each for each in outcome.model.additions
+        if each.is_named and id(each) not in refuted and confidence(outcome, each) >= LEAST
+    ]  # fmt: skip
 
 
 def nameless(outcome: Outcome) -> list[Addition]:

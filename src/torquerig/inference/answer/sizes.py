@@ -11,6 +11,7 @@ from torquerig.inference.addition import Addition
 from torquerig.inference.engine import Outcome
 from torquerig.inference.knobs import turned
 from torquerig.inference.measured_run import MeasuredRun
+from torquerig.inference.own_features import difference
 from torquerig.inference.prediction.expected_run import expected_run
 from torquerig.rig.assembly import Rig
 
@@ -69,10 +70,4 @@ def _sizes(outcome: Outcome, each: Addition) -> Iterator[float]:
     fit = outcome.model.fit
     other = without(outcome.completed, [each]) if each.parts else _with_stated(outcome, each)
     for seen, full in zip(outcome.data.seen, fit.expected, strict=True):
-        less = expected_run(other, seen)
-        width = seen.bands.high - seen.bands.low
-        lines = 0.5 * (np.sqrt(full.line_power) - np.sqrt(less.line_power)) ** 2
-        noise = (np.sqrt(full.density) - np.sqrt(less.density)) ** 2 * width
-        shown = (lines.sum(axis=1) + noise.sum(axis=1)).max(initial=0.0)
-        levels = np.mean((full.level - less.level) ** 2) if full.level.size else 0.0
-        yield float(np.sqrt(shown + levels))
+        yield difference(seen, full, expected_run(other, seen))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from math import log
 
 from torquerig.inference.addition import Addition
@@ -11,11 +10,11 @@ from torquerig.inference.adequacy import LEVEL_OF_TEST
 from torquerig.inference.answer.confidence import TEMPER, far_numbers, named, nameless, unsure_numbers
 from torquerig.inference.answer.owned import owned
 from torquerig.inference.answer.significant import significant
-from torquerig.inference.answer.sizes import is_minor, without
+from torquerig.inference.answer.sizes import is_minor
 from torquerig.inference.engine import Outcome
 from torquerig.inference.fit import Fit
 from torquerig.inference.held_out import held_out_density
-from torquerig.inference.prediction.expected_run import expected_run
+from torquerig.inference.own_features import without_parts
 from torquerig.inference.refitted import refitted
 
 
@@ -38,7 +37,9 @@ def verdict(outcome: Outcome) -> str:
 
 def explains(outcome: Outcome, less: Sequence[Addition]) -> bool:
     """Return whether the completed model without some additions passes the test of adequacy."""
-    return not significant(outcome, _less(outcome, less) if less else outcome.model.fit)[0]
+    return not significant(
+        outcome, without_parts(outcome.model.fit, outcome.data, less) if less else outcome.model.fit
+    )[0]
 
 
 def are_evident(outcome: Outcome, each: Sequence[Addition]) -> bool:
@@ -60,15 +61,3 @@ def is_rejected(outcome: Outcome, less: Fit, each: Sequence[Addition]) -> bool:
     odds = fit.log_evidence - less.log_evidence + sum(one.log_odds for one in each)
     held_out = held_out_density(fit, outcome.held) - held_out_density(less, outcome.held)
     return odds + held_out > TEMPER * log(1 / LEVEL_OF_TEST)
-
-
-def _less(outcome: Outcome, less: Sequence[Addition]) -> Fit:
-    """Return the fit of the completed model without the parts of some additions, the other parameters as they are."""
-    fit, names = outcome.model.fit, {part.name for each in less for part in each.parts}
-    kept = [at for at, knob in enumerate(fit.knobs) if knob.part not in names]
-    columns = [*kept, *range(len(fit.knobs), fit.jacobian.shape[1])]
-    fit = replace(
-        fit, rig=without(fit.rig, less), knobs=tuple(fit.knobs[at] for at in kept), positions=fit.positions[kept],
-        jacobian=fit.jacobian[:, columns],
-    )  # fmt: skip
-    return replace(fit, expected=tuple(expected_run(fit.fitted_rig, seen) for seen in outcome.data.seen))
