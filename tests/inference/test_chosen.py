@@ -74,6 +74,19 @@ def test_only_fits_that_may_win_are_finished(round_of):
     assert [hasattr(one.fit, "is_finished") for one in (best, near, far, worse)] == [True, True, False, False]
 
 
+def test_a_sketch_that_gains_too_little_in_all_data_is_not_finished(round_of):
+    near, far = model(4.0, HARMONIC), model(4.0, FUNDAMENTAL)  # 11 nats are needed in the sum, and 5 may be missing
+    assert round_of((near, 2.5), (far, 1.5)) is None
+    assert [hasattr(one.fit, "is_finished") for one in (near, far)] == [True, False]
+
+
+def test_only_what_may_be_the_best_is_compared_on_held_out_data(round_of, monkeypatch):
+    compared = []
+    monkeypatch.setattr(search, "_compared", lambda _, one, *args, **options: compared.append(one.additions[-1]) or 0.0)
+    round_of((model(30.0, FUNDAMENTAL), 20.0), (model(27.0, HARMONIC), 20.0))
+    assert compared == [FUNDAMENTAL]
+
+
 def test_sketches_of_large_gains_may_be_wrong_by_a_share_of_them(round_of):
     best, near, far = (model(gain, HARMONIC) for gain in (446.0, 430.5, 107.0))
     round_of((best, 323.0), (near, 323.0), (far, 83.0))

@@ -115,19 +115,19 @@ def _best(
     before = held_out_density(model.fit, held)
     best, others = None, list[_Candidate]()
     for sketch in sorted(sketches, key=lambda one: -one.odds):
-        gain = sketch.model.log_odds - model.log_odds
-        error = sketch_error(sketch.odds - model.log_odds - before)
-        least = 0.0 if _is_nameless(sketch.added) else LEAST_OTHER
-        if gain <= least - error or (best is not None and sketch.odds <= best.odds - error):
+        gain, total = sketch.model.log_odds - model.log_odds, sketch.odds - model.log_odds - before
+        error, (least, _, both) = sketch_error(total), _needed(sketch.added)
+        loses = gain <= least - error or (bool(sketch.added.parts) and total <= both - error)
+        if loses or (best is not None and sketch.odds <= best.odds - error):
             others.append(sketch)
             continue
         one = _Candidate.of(replace(sketch.model, fit=finished(sketch.model.fit, data)), held)
         gain = one.model.log_odds - model.log_odds
         fits = [each.model for each in sketches]
-        is_winner = gain > least and wins(
+        is_ahead = gain > least and (best is None or one.odds > best.odds)
+        if is_ahead and wins(
             one.added, odds=gain, held_out=one.held_out - _compared(model.fit, one.model, data, held, before, fits=fits)
-        )
-        if is_winner and (best is None or one.odds > best.odds):
+        ):
             others += [] if best is None else [best]
             best = one
         else:
@@ -141,10 +141,15 @@ def wins(added: Addition, *, odds: float, held_out: float) -> bool:
     No fit has seen the held-out data, so that both together are the odds given all data. They must reach what is needed
     in both, whichever of them they come from; each must speak for an effect without a name, and clearly for others.
     """
+    gains = odds, held_out, odds + held_out
+    return all(gain > least for gain, least in zip(gains, _needed(added), strict=True))
+
+
+def _needed(added: Addition) -> tuple[float, float, float]:
+    """Return by how much an addition must win in the odds, on the held-out data, and in their sum [nats]."""
     if _is_nameless(added):
-        return odds > 0 and held_out > 0 and odds + held_out > LEAST_OTHER + LEAST_HELD_OUT_OTHER
-    needed = LEAST_GAIN + LEAST_HELD_OUT if added.is_named else 0.0
-    return odds > LEAST_OTHER and held_out > LEAST_HELD_OUT and odds + held_out > needed
+        return 0.0, 0.0, LEAST_OTHER + LEAST_HELD_OUT_OTHER
+    return LEAST_OTHER, LEAST_HELD_OUT, LEAST_GAIN + LEAST_HELD_OUT if added.is_named else 0.0
 
 
 def _is_nameless(added: Addition) -> bool:
