@@ -18,6 +18,7 @@ from torquerig.inference.knobs import Knob
 from torquerig.inference.likelihood import BAND, floor_density
 from torquerig.inference.places import Place
 from torquerig.inference.prediction.expected_run import expected_run
+from torquerig.inference.prediction.rig_lines import rig_lines
 from torquerig.inference.prediction.skirts import Skirts, skirts_of, smears
 from torquerig.inference.shafts import Shaft, shafts_of, whole_order
 from torquerig.inference.undecided_lines import column_of
@@ -197,10 +198,25 @@ class Context:
                     size = float(np.sqrt(max(segment.line_power[column] - floor, 0.0)))
                     gains.append(float(added[index]))
                     ratios.append((float(added[index]), size))
-        if not gains or max(gains) <= 0:
+        if not gains:
+            return self._size_in_levels(rig)
+        if max(gains) <= 0:
             return 0.0, 0.0
         found = sorted(size / gain for gain, size in ratios if gain > _REACHES * max(gains))
         return found[len(found) // 2], SHARE_OF_SIGNAL * self.signal / max(gains)
+
+    def _size_in_levels(self, rig: Rig) -> tuple[float, float]:
+        """Return the same of a line that no block shows, by the mean square of what mean torques lack."""
+        found = list[tuple[float, float]]()
+        for seen, model in zip(self.data.seen, self.fit.expected, strict=True):
+            added = np.diag(expected_run(rig, seen).level_covariance - model.level_covariance)
+            lacking = np.square(seen.level - model.level) - np.diag(model.level_covariance)
+            found.append((float(added.sum()), float(lacking.sum())))
+        if (largest := max(found)[0]) <= 0:
+            return 0.0, 0.0
+        ratios = sorted(lacks / added for added, lacks in found if added > _REACHES**2 * largest)
+        mean = largest / max(seen.level.size for seen in self.data.seen)
+        return float(np.sqrt(max(ratios[len(ratios) // 2], 0.0))), SHARE_OF_SIGNAL * self.signal / (2 * mean) ** 0.5
 
     def _size_in_bands(self, rig: Rig) -> tuple[float, float]:
         """Return the same of a line that is spread over bands, by all power there that the model lacks."""
@@ -223,8 +239,11 @@ class Context:
 def lacks(fit: Fit, data: Data, place: Place) -> bool:
     """Return whether a model lacks a line: some segment shows more of it than a line of wrong size.
 
-    A part that was added for other lines may have made it too, as a side line.
+    A part that was added for other lines may have made it too, as a side line. A line that no block shows is lacking
+    where the model has none of its frequency.
     """
+    if not any(each.lines.count[:, column_of(each, place)].any() for each in data.seen if place in each.places):
+        return not any(_has_line(fit, each, place) for each in data.seen if place in each.places)
     for seen, model in zip(data.seen, fit.expected, strict=True):
         if place in seen.places:
             at = column_of(seen, place)
@@ -234,6 +253,13 @@ def lacks(fit: Fit, data: Data, place: Place) -> bool:
             if (measured > _LACKING * expected).any():
                 return True
     return False
+
+
+def _has_line(fit: Fit, seen: RunFeatures, place: Place) -> bool:
+    """Return whether a model has a line of the frequency of a place in a run, as well as the run shows that."""
+    own, step = seen.line_frequency[:, seen.places.index(place)], 1 / seen.run.recording.duration
+    twin = Twin(fit.fitted_rig.at(seen.run.run))
+    return any(bool((np.abs(each.frequency - own) < step).any()) for each in rig_lines(twin, seen))
 
 
 @dataclass

@@ -9,6 +9,7 @@ from torquerig.errors import InputError, RecordingError
 from torquerig.inference.addition import Addition
 from torquerig.inference.features.line_search import FoundLine, search_lines
 from torquerig.inference.features.run_features import run_features
+from torquerig.inference.features.slow_waves import slow_waves
 from torquerig.inference.fit import Data, Fit, fitted, sketched
 from torquerig.inference.knobs import Knob, with_free_load
 from torquerig.inference.measured_run import MeasuredRun, measured_runs
@@ -128,6 +129,10 @@ def diagnose(
     progress("searching lines that the model lacks")
     densities = model_densities(nominal, data)
     found = search_lines([seen.run for seen in data.seen], ready.known, densities) if ready.judged else ()
+    if ready.judged:
+        own = [line.order for line in Twin(nominal.fitted_rig.at(runs[0].run)).lines()]
+        known = [*ready.known, *(line.place for line in found)]
+        found += tuple(slow_waves(data.seen, [each.level for each in nominal.expected], known, own))
     lines = in_both_domains(found, data.seen)
     places = [*ready.known, *(line.place for line in lines)]
     if lines:

@@ -60,8 +60,8 @@ def _with_stated(outcome: Outcome, each: Addition) -> Rig:
 def size(outcome: Outcome, each: Addition) -> float:
     """Return the rms by which an addition changes the reading [N m], the largest one of the runs.
 
-    Of lines, of the spectrum between them and of mean torques; those are uncorrelated. Of a number of the scenario it
-    is the change from the stated value.
+    Of lines, of the spectrum between them and of mean torques, also of waves too slow for both that move these; all are
+    uncorrelated. Of a number of the scenario it is the change of lines, spectrum and means from the stated value.
     """
     return max(_sizes(outcome, each), default=0.0)
 
@@ -70,4 +70,7 @@ def _sizes(outcome: Outcome, each: Addition) -> Iterator[float]:
     fit = outcome.model.fit
     other = without(outcome.completed, [each]) if each.parts else _with_stated(outcome, each)
     for seen, full in zip(outcome.data.seen, fit.expected, strict=True):
-        yield difference(seen, full, expected_run(other, seen))
+        less = expected_run(other, seen)
+        waves = np.diag(full.level_covariance - less.level_covariance) if each.parts else np.zeros(0)
+        slow = float(np.abs(waves).mean()) if waves.size else 0.0
+        yield float(np.hypot(difference(seen, full, less), np.sqrt(slow)))
