@@ -12,8 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.inference.fit import Data, Fit, all_residuals
-from torquerig.inference.likelihood import Residuals, log_density
+from torquerig.inference.likelihood import Residuals, log_density, residuals
+from torquerig.inference.load_spectrum import with_gains
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
+from torquerig.rig.assembly import Rig
 
 Floats = NDArray[np.float64]
 
@@ -23,6 +25,25 @@ _STEP = 0.05  # [standard deviations] of a difference quotient
 def held_residuals(fit: Fit, held: Data) -> list[Residuals]:
     """Return the residuals of held-out data under a fitted model, made independent where a gain is open."""
     return [each for each, _ in _of_runs(fit, held)]
+
+
+def residuals_of_means(means: Fit, fit: Fit, held: Data, rig: Rig) -> list[Residuals]:
+    """Return the residuals of the means of one fit with the load and the discrepancy of another.
+
+    ``rig`` is that of ``fit`` without its additions: a wave of unknown phase is in the covariance of mean torques, and
+    would be its own error there.
+    """
+    expected = [expected_run(fit.fitted_rig, seen) for seen in held.seen]
+    slopes = _open_slopes(fit, held, expected, all_residuals(held, expected, fit.gains, fit.off))
+    found = list[Residuals]()
+    for seen, shape, slope in zip(held.seen, held.shapes, slopes, strict=True):
+        mean = with_gains(expected_run(means.fitted_rig, seen), shape, means.gains)
+        mixed = replace(
+            with_gains(expected_run(rig, seen), shape, fit.gains), line_power=mean.line_power, density=mean.density,
+            level=mean.level, block_gain=mean.block_gain,
+        )  # fmt: skip
+        found.append(independent(residuals(seen, mixed, fit.off), slope)[0])
+    return found
 
 
 def held_out_density(fit: Fit, held: Data) -> float:

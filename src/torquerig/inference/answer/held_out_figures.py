@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.inference.answer.numbers import TWO_SIDED, digits
+from torquerig.inference.answer.sizes import without
 from torquerig.inference.discrepancy import usual
 from torquerig.inference.engine import Outcome
 from torquerig.inference.fit import Data, Fit, all_residuals
-from torquerig.inference.held_out import held_residuals
+from torquerig.inference.held_out import held_residuals, residuals_of_means
 from torquerig.inference.likelihood import Residuals
 from torquerig.inference.prediction.expected_run import expected_run
 
@@ -30,13 +31,17 @@ IMPROVABLE = 1.2  # a model with a smaller residual before leaves nothing to imp
 def fit_figures(outcome: Outcome) -> dict[str, Any]:
     """Return metric, residuals before and after, and the improvement with its 95 % interval, None where pointless.
 
-    All are in the same standard deviations, those of the completed model: an incomplete model has wider ones, in which
-    its residuals would look small.
+    All have the load and the discrepancy of the completed model: those of an incomplete one are larger, and its
+    residuals would look small.
     """
     off = usual(outcome.model.fit.off)
-    stated = replace(outcome.stated, off=off)
-    before = _squares(held_residuals(stated, outcome.stated_held))
-    after = _squares(held_residuals(replace(outcome.model.fit, off=off), outcome.held))
+    stated, fit = replace(outcome.stated, off=off), replace(outcome.model.fit, off=off)
+    after = _squares(held_residuals(fit, outcome.held))
+    if outcome.setup:  # its features are others
+        before = _squares(held_residuals(stated, outcome.stated_held))
+    else:
+        rig = without(fit.fitted_rig, outcome.model.additions)
+        before = _squares(residuals_of_means(stated, fit, outcome.held, rig))
     old, new = float(before.mean()), float(after.mean())
     return {
         "metric": METRIC,
