@@ -13,6 +13,8 @@ from torquerig.inference.context import Context
 from torquerig.inference.engine import diagnose, prepared
 from torquerig.inference.isolability.beforehand import beforehand
 from torquerig.inference.isolability.classes import ALIKE, inseparable, separation
+from torquerig.inference.isolability.limits import as_limit, best_by_mechanism, smallest, smallest_of_each
+from torquerig.inference.isolability.probes import hypotheses, probed
 from torquerig.inference.isolability.separating import separating_run
 from torquerig.inference.isolability.signatures import Projection, Signature
 
@@ -103,3 +105,12 @@ def test_a_change_is_computed_once_for_a_hypothesis_at_a_position(ready):
     change = projection.change(each, np.zeros(0))
     assert np.abs(change).max() > 0
     assert projection.change(each, np.zeros(0)) is change
+
+
+def test_what_is_smaller_than_another_shows_is_not_followed(ready):
+    context, places = probed(ready.nominal, ready.runs, ready.known)
+    proposed = list(hypotheses(context, places))
+    every, few = Projection(context), Projection(context)
+    best = best_by_mechanism(smallest(every, proposed))
+    assert [as_limit(each) for each in smallest_of_each(few, proposed)] == [as_limit(each) for each in best]
+    assert len(few._kept) < 0.9 * len(every._kept)

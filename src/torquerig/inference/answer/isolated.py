@@ -8,7 +8,7 @@ from torquerig.inference.addition import Addition
 from torquerig.inference.answer.confidence import ALIKE, alternatives, nameless
 from torquerig.inference.answer.sizes import is_minor, size
 from torquerig.inference.engine import Outcome
-from torquerig.inference.isolability.limits import as_limit, best_by_mechanism, smallest
+from torquerig.inference.isolability.limits import as_limit, smallest_of_each
 from torquerig.inference.isolability.probes import hypotheses, probed
 from torquerig.inference.isolability.separating import exchanged, separating_run
 from torquerig.inference.isolability.signatures import Projection
@@ -18,7 +18,7 @@ def upper_limits(outcome: Outcome) -> list[dict[str, Any]]:
     """Return for each mechanism the smallest size that the recordings would have shown, in 95 % of such recordings."""
     known = outcome.data.seen[0].places
     context, places = probed(outcome.model.fit, outcome.runs, known)
-    return [as_limit(each) for each in best_by_mechanism(smallest(Projection(context), hypotheses(context, places)))]
+    return [as_limit(each) for each in smallest_of_each(Projection(context), hypotheses(context, places))]
 
 
 def next_experiment(outcome: Outcome, each: Addition) -> str | None:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from torquerig.inference.addition import Addition
-from torquerig.inference.isolability.signatures import Projection, Signature, signature
+from torquerig.inference.isolability.signatures import Projection, Signature, is_shown, signature
 from torquerig.parallel import parallel_map
 
 _PER_MECHANISM = 3  # hypotheses of a mechanism that are followed to their smallest size
@@ -17,13 +17,33 @@ def smallest(projection: Projection, hypotheses: Iterable[Addition]) -> list[Sig
 
     Those are chosen by how much they change at the medians of their priors.
     """
-    by_mechanism: dict[str, list[Addition]] = {}
+    found = parallel_map(lambda own: [signature(projection, each) for each in _clearest(projection, own)],
+                         _by_mechanism(hypotheses))  # fmt: skip
+    return [one for own in found for one in own if one is not None]
+
+
+def smallest_of_each(projection: Projection, hypotheses: Iterable[Addition]) -> list[Signature]:
+    """Return ``best_by_mechanism`` of ``smallest``: what is not shown at the size of another one is not followed."""
+
+    def best(own: Sequence[Addition]) -> list[Signature]:
+        found = list[Signature]()
+        for each in _clearest(projection, own):
+            if not found or is_shown(projection, each, found[0].reported.name, found[0].value):
+                one = signature(projection, each)
+                found = best_by_mechanism([*found, one]) if one is not None else found
+        return found
+
+    found = parallel_map(best, _by_mechanism(hypotheses))
+    return best_by_mechanism([one for own in found for one in own])
+
+
+def _by_mechanism(hypotheses: Iterable[Addition]) -> list[list[Addition]]:
+    """Return the hypotheses of each mechanism."""
+    answer: dict[str, list[Addition]] = {}
     for each in hypotheses:
         if each.is_named:
-            by_mechanism.setdefault(each.mechanism, []).append(each)
-    found = parallel_map(lambda own: [signature(projection, each) for each in _clearest(projection, own)],
-                         list(by_mechanism.values()))  # fmt: skip
-    return [one for own in found for one in own if one is not None]
+            answer.setdefault(each.mechanism, []).append(each)
+    return list(answer.values())
 
 
 def best_by_mechanism(found: Sequence[Signature]) -> list[Signature]:

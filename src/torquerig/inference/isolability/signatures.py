@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -137,16 +138,7 @@ def _reach(found: Signature) -> tuple[bool, float]:
 def _along(projection: Projection, each: Addition, one: Reported, columns: tuple[int, ...]) -> Signature | None:
     """Return where the change reaches the required size along some parameters that make the effect vanish."""
     wanted, knob = required(each), each.knobs[columns[0]]
-
-    def at(position: float) -> Floats:
-        positions = np.zeros(len(each.knobs))
-        positions[list(columns)] = position
-        return positions
-
-    def size(position: float) -> float:
-        found = projection.change(each, at(position))
-        return np.nan if found is None else float(np.linalg.norm(found))
-
+    at, size = partial(_positions, each, columns), partial(_size, projection, each, columns)
     far = _DECADES * DECADE / knob.spread
     ends = (-far, far) if knob.factor else (0.0, _FAR)
     sizes = [size(end) for end in ends]
@@ -159,6 +151,30 @@ def _along(projection: Projection, each: Addition, one: Reported, columns: tuple
         return None
     value = knob.turned(knob.value(each.added_to(projection.context.rig)), found)
     return Signature(each, one, value, at(found), there, grows_down=down, two_sided=not knob.factor)
+
+
+def is_shown(projection: Projection, each: Addition, name: str, value: float) -> bool:
+    """Return whether these runs would show a hypothesis with such a value of the reported parameter ``name``."""
+    one = next((one for one in each.reported if one.name == name), None)
+    columns = None if one is None else _size_columns(each, one)
+    if columns is None:
+        return False
+    knob = each.knobs[columns[0]]
+    median = knob.value(each.added_to(projection.context.rig))
+    position = (np.log(value / median) if knob.factor else value - median) / knob.spread
+    return _size(projection, each, columns, float(position)) >= required(each)
+
+
+def _positions(each: Addition, columns: tuple[int, ...], position: float) -> Floats:
+    positions = np.zeros(len(each.knobs))
+    positions[list(columns)] = position
+    return positions
+
+
+def _size(projection: Projection, each: Addition, columns: tuple[int, ...], position: float) -> float:
+    """Return the size of a change [standard deviations]; NaN where there is no such rig."""
+    found = projection.change(each, _positions(each, columns, position))
+    return np.nan if found is None else float(np.linalg.norm(found))
 
 
 def _crossing(
