@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ import pytest
 from tests.inference.drawn_runs import drawn_run, ramp, steady
 from tests.inference.pump_bench import pump_scenario, recorded, simulated
 from torquerig.inference.engine import prepared
+from torquerig.inference.readings import other_teeth
 from torquerig.inference.readings.order_comb import order_spectrum
 from torquerig.inference.readings.teeth import toothed_stages, with_pair
 from torquerig.recordings.recording import Channel
@@ -54,6 +56,21 @@ def test_a_wrong_pair_is_reported_with_the_right_one(geared, stated, kind, estim
     assert fault.estimated == pytest.approx(estimated)
     low, high = fault.interval
     assert low <= estimated <= high
+
+
+@pytest.mark.parametrize(
+    ("by_runs", "by_features", "found"), [(20.0, 1.0, 1), (20.0, -1.0, 0), (3.0, 40.0, 1), (3.0, 20.0, 0)]
+)
+def test_whole_runs_or_features_show_a_pair_and_both_speak_for_it(monkeypatch, tmp_path, by_runs, by_features, found):
+    scenario = pump_scenario(tmp_path, LINES, before_sensor=GEAR)
+    (stage,) = toothed_stages(scenario.rig)
+    pair = other_teeth._Candidate(stage, (17, 52), log_odds=-13.0, ahead=by_runs)
+    monkeypatch.setattr(other_teeth, "_candidates", lambda *_: [pair])
+    monkeypatch.setattr(other_teeth, "gain_of", lambda *_: by_features)
+    seen = SimpleNamespace(places=(), run=None)
+    stated = other_teeth.Reading((), SimpleNamespace(seen=[seen]), None)
+    read = other_teeth.other_teeth(stated, scenario.rig, lambda *_, **__: stated)
+    assert len(read.faults) == found
 
 
 @pytest.mark.long

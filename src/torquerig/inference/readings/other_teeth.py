@@ -38,10 +38,11 @@ _COMPARED = 24  # of those pairs, evenly from the best to the last, are compared
 
 @dataclass(frozen=True)
 class _Candidate:
-    """A pair of a stage, by how many nats of posterior odds it is ahead of the stated one, and its prior log-odds."""
+    """A pair of a stage, its prior log-odds, and its posterior ones to the stated pair by whole runs [nats]."""
 
     stage: ToothedStage
     pair: Pair
+    log_odds: float
     ahead: float
 
     @property
@@ -51,15 +52,19 @@ class _Candidate:
 
 
 def other_teeth(stated: Reading, rig: Rig, read: Read) -> Reading:
-    """Return the reading with another pair of teeth where whole runs and features both show it."""
+    """Return the reading with another pair of teeth where whole runs or features show it, and both speak for it.
+
+    A shaft whose lines are weak shows its ratio in the mean torques.
+    """
     ranked = sorted(_candidates(stated, rig), key=lambda one: -one.ahead)
-    if not ranked or ranked[0].ahead < CLEARLY:
+    if not ranked:
         return stated
     near = [one for one in ranked if ranked[0].ahead - one.ahead < _ALIKE]
     best = _by_features(near, stated, rig)
     again = read(with_pair(rig, best.stage, best.pair), also=stated.data.seen[0].places)
     same = read(rig, stated.runs, also=again.data.seen[0].places)
-    if gain_of(again.fit, same.fit) < 0:
+    gain = gain_of(again.fit, same.fit)
+    if gain < 0 or max(best.ahead, gain + best.log_odds) < CLEARLY:
         return stated
     return replace(again, faults=(_fault(best, near), *stated.faults))
 
@@ -96,9 +101,9 @@ def _candidates(stated: Reading, rig: Rig) -> Iterator[_Candidate]:
         gain = _gains(stated, stage, pairs)
         for pair, one in zip(pairs, gain.tolist(), strict=True):
             apart = abs(pair[0] - stage.pair[0]) + abs(pair[1] - stage.pair[1])
-            ahead = one + SLIP_LOG_ODDS - log(4 if apart == 1 else len(pairs))
-            if ahead > 0:
-                yield _Candidate(stage, pair, ahead)
+            log_odds = SLIP_LOG_ODDS - log(4 if apart == 1 else len(pairs))
+            if one + log_odds > 0:
+                yield _Candidate(stage, pair, log_odds, one + log_odds)
 
 
 def _pairs(stated: Pair) -> list[Pair]:
