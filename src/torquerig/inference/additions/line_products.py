@@ -7,7 +7,7 @@ order adds 3 a; each is smaller than both waves it is made of. Source: any text 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import combinations_with_replacement
 
 import numpy as np
@@ -26,13 +26,17 @@ _MOST = 16  # lines of one family
 
 def propose(context: Context) -> Iterator[Addition]:
     """Yield all found lines that are products of lines of the rig, as torques on each shaft."""
-    found = [place for place in (line.place for line in context.lines) if _is_product(context, place)][:_MOST]
+    found = [place for place in (line.place for line in context.lines) if _is_product(context, place)]
     for shaft in context.shafts if found else ():
-        yield from _products(context, shaft, found)
+        label = f"sums and differences of the rig's lines, as torques at {shaft.part}"
+        yield from torques(context, shaft, found, name="line_products", label=label, log_odds=_LOG_ODDS)
 
 
-def _products(context: Context, shaft: Shaft, places: list[Place]) -> Iterator[Addition]:
-    name, numbered = free_name(context.rig, "line_products"), dict(enumerate(places))
+def torques(
+    context: Context, shaft: Shaft, places: Sequence[Place], *, name: str, label: str, log_odds: float
+) -> Iterator[Addition]:
+    """Yield lines at found orders as torques on a shaft, each of its own size."""
+    name, numbered = free_name(context.rig, name), dict(enumerate(places[:_MOST]))
 
     def ripple(amplitudes: dict[float, float]) -> mechanisms.TorqueRipple:
         return mechanisms.TorqueRipple(name=name, at=shaft.part, group="mechanical", amplitudes=amplitudes)
@@ -48,8 +52,7 @@ def _products(context: Context, shaft: Shaft, places: list[Place]) -> Iterator[A
         yield Addition(
             kind="line_family", parts=(ripple({own(number): size for number, size in found.medians.items()}),),
             knobs=tuple(found.knobs), starts=(tuple(found.start),),
-            places=tuple(numbered[number] for number in found.medians), log_odds=_LOG_ODDS,
-            label=f"sums and differences of the rig's lines, as torques at {shaft.part}",
+            places=tuple(numbered[number] for number in found.medians), log_odds=log_odds, label=label,
         )  # fmt: skip
 
 
