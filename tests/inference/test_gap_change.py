@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -13,6 +15,7 @@ from torquerig.inference.measured_run import measured_runs
 from torquerig.inference.prediction import gap_change
 from torquerig.inference.prediction.expected_run import expected_run
 from torquerig.inference.prediction.gap_change import ARCMIN, WIDTHS, comes_near_zero, simulated_rests
+from torquerig.parallel import parallel_processes
 from torquerig.simulation.simulator import simulate
 
 IDLE = """\
@@ -63,6 +66,18 @@ def test_a_vanishing_gap_changes_nothing(tmp_path):
     without, with_gap = expected_run(rig, seen), expected_run(opened(rig, 1e-6), seen)
     assert with_gap.density == pytest.approx(without.density, rel=1e-3)
     assert with_gap.level == pytest.approx(without.level, abs=1e-4)
+
+
+def test_processes_share_the_features_of_simulated_runs(tmp_path, monkeypatch):
+    rig, seen = seen_of(IDLE, tmp_path, gap=10.0)
+    alone = expected_run(opened(rig, 10.0), seen)
+    here, features_like = [], gap_change.features_like
+    monkeypatch.setattr(gap_change, "features_like", lambda *args: here.append(args) or features_like(*args))
+    seen.run.kept._answers.clear()
+    with parallel_processes(2):
+        shared = expected_run(opened(rig, 10.0), replace(seen))
+    assert not here
+    assert np.array_equal(shared.density, alone.density)
 
 
 def test_a_gap_that_load_keeps_closed_is_not_simulated(tmp_path):

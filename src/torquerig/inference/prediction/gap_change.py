@@ -27,7 +27,7 @@ from torquerig.inference.motor_angle.smoothed_speed import speed_of
 from torquerig.inference.places import Place
 from torquerig.inference.prediction.line_phases import Samples, with_measured_phases
 from torquerig.linear_twin.field_speed import share_of_field
-from torquerig.parallel import processes
+from torquerig.parallel import parallel_map, processes
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Part, Rig
@@ -163,8 +163,9 @@ def _comes_near(torque: Floats) -> bool:
 
 
 def _simulated(closed: Rig, part: Part, seen: RunFeatures) -> _Table:
-    runs = [_as_measured(each, seen.run) for each in _recordings(closed, part, seen.run)]
-    found, size = [features_like(seen, each) for each in runs], len(WIDTHS) + 1
+    runs = [_as_measured(each, seen.run) for replicate in range(_REPLICATES)
+            for each in _recordings(closed, part, seen.run, seed=_FRESH_SEED + replicate)]  # fmt: skip
+    found, size = parallel_map(lambda each: _powers_and_levels(features_like(seen, each)), runs), len(WIDTHS) + 1
     rows = range(0, len(runs), size)
     change = _change([found[row : row + size] for row in rows])
     ringing = seen.bands.middle[int(np.argmax(change.band[-1].mean(axis=0)))]
@@ -182,16 +183,15 @@ def _rests(closed: Rig, run: MeasuredRun, seen: RunFeatures, window: float) -> F
     return rests(run.torque - zero, blocks_like(seen), rate=run.rate, window=window, near=near)
 
 
-def _recordings(closed: Rig, part: Part, run: MeasuredRun) -> list[Recording]:
-    """Return simulated runs, those of one seed together: without a gap, then with each width."""
+def _recordings(closed: Rig, part: Part, run: MeasuredRun, *, seed: int) -> list[Recording]:
+    """Return simulated runs of one seed: without a gap, then with each width."""
     from torquerig.simulation.batch import simulate_batch
 
     phased, rate = with_measured_phases(closed, _samples(run)), run.rate
     at = phased.at(_of_field(phased, run))
     rigs = [at + replace(part, gap=width * ARCMIN) for width in (0.0, *WIDTHS)]  # type: ignore[call-arg]
-    seeds = [_FRESH_SEED + one for one in range(_REPLICATES) for _ in rigs]
     return simulate_batch(
-        rigs * _REPLICATES, seeds=seeds, duration=run.torque.size / rate, sample_rate=rate, most_steps=10_000,
+        rigs, seeds=[seed] * len(rigs), duration=run.torque.size / rate, sample_rate=rate, most_steps=10_000,
         workers=processes(),
     )  # fmt: skip
 
@@ -221,18 +221,21 @@ def _as_measured(recording: Recording, run: MeasuredRun) -> MeasuredRun:
     return replace(run, torque=torque, angle=angle, speed=speed_of(angle, run.rate))
 
 
-def _change(replicates: Sequence[Sequence[RunFeatures]]) -> Change:
+def _powers_and_levels(seen: RunFeatures) -> tuple[Floats, Floats, Floats]:
+    """Return the logarithms of the powers of lines and of the densities, and the mean torques."""
+    return _log_lines(seen), np.log(np.maximum(seen.band_power, 1e-300)), seen.level
+
+
+def _change(replicates: Sequence[Sequence[tuple[Floats, Floats, Floats]]]) -> Change:
     """Return the mean change over replicates, first axis the width; each replicate begins with a closed gap."""
 
-    def of(values: Floats, pooled: tuple[int, ...]) -> tuple[Floats, Floats]:
+    def of(kind: int, pooled: tuple[int, ...]) -> tuple[Floats, Floats]:
+        values = np.array([[each[kind] for each in one] for one in replicates])
         change = np.nan_to_num(values[:, 1:] - values[:, :1])
         scatter = _pooled(change.var(axis=0, ddof=1), pooled)
         return change.mean(axis=0), np.sqrt(np.maximum(scatter, 0.0) / len(replicates))
 
-    lines = np.array([[_log_lines(each) for each in one] for one in replicates])
-    densities = np.array([[np.log(np.maximum(each.band_power, 1e-300)) for each in one] for one in replicates])
-    levels = np.array([[each.level for each in one] for one in replicates])
-    return Change(*of(lines, (3, 1, 3)), *of(densities, (3, 1, _NEIGHBOURS)), *of(levels, (3, _NEIGHBOURS)))
+    return Change(*of(0, (3, 1, 3)), *of(1, (3, 1, _NEIGHBOURS)), *of(2, (3, _NEIGHBOURS)))
 
 
 def _log_lines(seen: RunFeatures) -> Floats:
