@@ -4,7 +4,7 @@ Nameless: line_family, tone, gain_ripple, resonance, reading_course, speed_cours
 Mechanisms: one each.
 
 Each module has ``propose(context)``, which yields additions with their priors. One that names mechanisms lists their
-files in ``NAMES``.
+files in ``NAMES``. ``KEEPS`` is true where what it computes is used again: it proposes in the first process.
 """
 
 from __future__ import annotations
@@ -17,13 +17,17 @@ from types import ModuleType
 
 from torquerig.inference.addition import Addition
 from torquerig.inference.context import Context
+from torquerig.parallel import parallel_map
 
 
 def proposals(context: Context) -> Iterator[Addition]:
     """Yield what every module of this folder proposes whose mechanisms the library has."""
-    for module in modules():
-        if all(find_spec(f"torquerig.mechanisms.{name}") for name in names_of(module)):
-            yield from module.propose(context)
+    known = [each for each in modules() if all(find_spec(f"torquerig.mechanisms.{name}") for name in names_of(each))]
+    forgetting = [each for each in known if not getattr(each, "KEEPS", False)]
+    found = parallel_map(lambda module: list(module.propose(context)), forgetting)
+    proposed = {module.__name__: own for module, own in zip(forgetting, found, strict=True)}
+    for module in known:
+        yield from proposed[module.__name__] if module in forgetting else module.propose(context)
 
 
 def modules() -> Iterator[ModuleType]:

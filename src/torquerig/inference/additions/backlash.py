@@ -22,6 +22,7 @@ from torquerig.inference.prediction.gap_change import (
 from torquerig.rig.parts import Gear, WormGear
 
 NAMES = ("backlash",)
+KEEPS = True
 
 _LOG_ODDS = -3.0
 _GAP, _SPREAD = 6.0, 1.2  # [arcmin] prior median of the width, handbooks have 3 to 20; and of its logarithm

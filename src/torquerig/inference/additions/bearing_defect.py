@@ -17,6 +17,7 @@ from torquerig.inference.places import Place
 from torquerig.inference.shafts import Shaft
 
 NAMES = ("bearing_defect",)
+KEEPS = True
 
 _LOG_ODDS = -4.0
 _WHOLE = 0.03  # [1/rev] so near to a whole order of a shaft, or a bin of the search, load and lines beat as well
