@@ -9,8 +9,8 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import gammaincc
 
+from torquerig.inference.features.line_p_values import CLEAR_BLOCKS, log_gamma_tail, log_p_of_clear, log_p_of_run
 from torquerig.inference.features.line_places import HIGHEST, HIGHEST_TONE, line_frequencies
 from torquerig.inference.features.line_skirts import exceeds_surroundings
 from torquerig.inference.features.noise_ratios import NEAR, Density, NoiseRatios, measured_ratio, noise_ratios
@@ -22,7 +22,6 @@ Floats = NDArray[np.float64]
 
 LEVEL = 1e-3  # p-value, of the whole search, below which a line is real
 _MOST_OF_A_BLOCK = 12.0  # [1] times the noise: what a single block shows is no line of the run
-_CLEAR_BLOCKS = 3  # that show a line of a part of a run each by itself: no transient lasts for so many
 _OVERSAMPLED = 2  # points of the grid for each bin of the longest block
 _SKIRT_LOG = 0.05  # of the strongest line's log p-value: a weaker line may be its leakage and waits for the next pass
 _PASSES = 4
@@ -192,8 +191,9 @@ def _scores(ratios: Sequence[NoiseRatios], domain: str) -> tuple[Floats, Floats,
     grid = _grid(ratios, domain)
     log_p, counted, power = np.zeros((3, grid.size))
     for run in {id(each.run): each.run for _, _, each in rows}.values():
-        total, count = np.zeros((2, grid.size))
-        highest = np.zeros((_CLEAR_BLOCKS, grid.size))
+        total, count, blocks = np.zeros((3, grid.size))
+        highest = np.zeros((CLEAR_BLOCKS, grid.size))
+        joined = max(each.blocks for _, _, each in rows if each.run is run)
         for values, own, each in rows:
             if each.run is not run:
                 continue
@@ -204,26 +204,16 @@ def _scores(ratios: Sequence[NoiseRatios], domain: str) -> tuple[Floats, Floats,
             power[shown] += ratio
             total[shown] += np.minimum(ratio, _MOST_OF_A_BLOCK)
             count[shown] += 1
-            for row in highest:
-                ratio, row[shown] = np.minimum(ratio, row[shown]), np.maximum(ratio, row[shown])
-        log_p += np.where(count > 0, _log_p_of_run(np.maximum(count, 1), total, highest[-1]), 0.0)
+            blocks[shown] += each.blocks
+            for _ in range(each.blocks):
+                one = ratio
+                for row in highest:
+                    one, row[shown] = np.minimum(one, row[shown]), np.maximum(one, row[shown])
+        clear = log_p_of_clear(blocks, highest[-1], joined=joined)
+        log_p += np.where(count > 0, log_p_of_run(np.maximum(count, 1), total, clear), 0.0)
         counted += count > 0
-    combined = np.where(counted > 0, _log_gamma_tail(np.maximum(counted, 1), -log_p), 0.0)
+    combined = np.where(counted > 0, log_gamma_tail(np.maximum(counted, 1), -log_p), 0.0)
     return np.asarray(grid), np.asarray(combined + np.log(_tests(ratios))), np.asarray(power)
-
-
-def _log_p_of_run(count: Floats, total: Floats, least: Floats) -> Floats:
-    """Return the logarithm of the p-value of n blocks: of their capped sum, or of the ``_CLEAR_BLOCKS`` highest ones.
-
-    k of n exponential variates exceed x with a probability of at most ``binom(n, k) exp(-k x)``: a tone that lasts for
-    a part of a run is in few of its blocks. The smaller of two p-values counts for both (Bonferroni).
-    """
-    from scipy.special import gammaln
-
-    k = _CLEAR_BLOCKS
-    summed, enough = _log_gamma_tail(count, total), np.maximum(count, k)
-    clear = gammaln(enough + 1) - gammaln(k + 1) - gammaln(enough - k + 1) - k * least
-    return np.where(count >= k, np.minimum(np.minimum(summed, clear) + np.log(2), 0.0), summed)
 
 
 def _tests(ratios: Sequence[NoiseRatios]) -> float:
@@ -255,15 +245,6 @@ def _lowest(each: NoiseRatios, *, turning: bool) -> float:
     return max(least, NEAR * own)
 
 
-def _log_gamma_tail(shape: Floats, value: Floats) -> Floats:
-    """Return the logarithm of the upper tail of a gamma variate of scale 1, also where it underflows."""
-    from scipy.special import gammaln
-
-    tail = gammaincc(shape, value)
-    far = -value + (shape - 1) * np.log(np.maximum(value, 1e-9)) - gammaln(shape)
-    return np.asarray(np.where(tail > 1e-250, np.log(np.maximum(tail, 1e-300)), far))
-
-
 def _stands_out(place: Place, ratios: Sequence[NoiseRatios], tests: float) -> bool:
     """Return whether a peak is a line also if only blocks count in which it is no part of a wider line or hump.
 
@@ -272,7 +253,7 @@ def _stands_out(place: Place, ratios: Sequence[NoiseRatios], tests: float) -> bo
     values = [own[at] for _, own, at in _shown(place, ratios) if exceeds_surroundings(own, at, level=LEVEL)]
     total = np.minimum(values, _MOST_OF_A_BLOCK).sum()
     count = np.array(float(max(len(values), 1)))
-    return bool(_log_gamma_tail(count, np.array(max(total, 1e-9))) + np.log(tests) < np.log(LEVEL))
+    return bool(log_gamma_tail(count, np.array(max(total, 1e-9))) + np.log(tests) < np.log(LEVEL))
 
 
 def _shown(place: Place, ratios: Sequence[NoiseRatios]) -> Iterator[tuple[NoiseRatios, Floats, int]]:

@@ -29,7 +29,7 @@ _LOG_MEDIAN = float(np.log(2.0))  # median over mean of an exponential variate
 class NoiseRatios:
     """Power over the noise of one block along orders and along frequencies; what the known lines leave of it [N m].
 
-    ``start`` is the index of its first sample in the run.
+    ``start`` is the index of its first sample in the run, ``blocks`` how many blocks of it are joined here.
     """
 
     run: MeasuredRun
@@ -42,6 +42,7 @@ class NoiseRatios:
     frequency_step: float
     start: int
     rest: Floats
+    blocks: int = 1
 
 
 def noise_ratios(run: MeasuredRun, places: Sequence[Place], density: Density) -> list[NoiseRatios]:
@@ -65,7 +66,7 @@ def noise_ratios(run: MeasuredRun, places: Sequence[Place], density: Density) ->
         speeds = float(turning_at.min()), float(turning_at.max())
         each = NoiseRatios(
             run, run.smearing(part), float(turning_at.mean()), speeds, by_order=turning, order_step=order_step,
-            by_frequency=direct, frequency_step=step, start=part.start, rest=rest,
+            by_frequency=direct, frequency_step=step, start=part.start, rest=rest, blocks=len(blocks),
         )  # fmt: skip
         _ignore(each, places, reach=NEAR * rest.size / min(block.stop - block.start for block in blocks))
         answer.append(each)
