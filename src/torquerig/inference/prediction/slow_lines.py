@@ -21,6 +21,7 @@ from torquerig.inference.features.run_features import RunFeatures
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+Indices = NDArray[np.intp]
 
 _POINTS = 48  # of a part
 _MOST_PERIODS = 6.0  # in a part: the mean of a faster line is below 3 % of its amplitude
@@ -49,24 +50,38 @@ class UnshownLines:
 
 def covariance_of_lines(seen: RunFeatures, lines: UnshownLines) -> Floats:
     """Return the covariance that lines leave in the levels of a run [(N m)^2], shape (levels, levels)."""
+    rows, means, alike = seen.kept.get("slow lines", (lines.follows, lines.at.tobytes()), lambda: _moving(seen, lines))
+    own = means * np.sqrt(lines.square[rows])[:, seen.level_segment]
+    if alike is None:
+        return _summed(own)
+    total = np.zeros((own.shape[1], own.shape[1]))
+    for each, known in alike:
+        total += _summed(own[each]) * known
+    return total
+
+
+def _moving(seen: RunFeatures, lines: UnshownLines) -> tuple[Indices, Complex, list[tuple[Indices, Floats]] | None]:
+    """Return the lines that move a mean, their means in each part [1], shape (lines, levels), and those of one order.
+
+    With each order comes what the error of the angle leaves of the products, shape (levels, levels); None without one.
+    """
     phase, uncertain = seen.kept.get("phases", lines.follows, lambda: _phases(seen, follows=lines.follows))
     slowest = 2 * pi * _MOST_PERIODS / max(float(np.ptp(phase, axis=1).min(initial=np.inf)), 1e-12)
     rows = np.flatnonzero(lines.at < slowest)
     orders, which = np.unique(np.round(lines.at[rows], _DIGITS), return_inverse=True)
-    means = np.array([seen.kept.get(f"mean of {order:.9g}, {lines.follows}", order, partial(_mean_of, order, phase))
-                      for order in orders.tolist()])  # fmt: skip
-    if not means.any():
-        return np.zeros(uncertain.shape)
-    own = means[which] * np.sqrt(lines.square[rows])[:, seen.level_segment]
+    made = [seen.kept.get(f"mean of {order:.9g}, {lines.follows}", order, partial(_mean_of, order, phase))
+            for order in orders.tolist()]  # fmt: skip
+    means = np.array(made, dtype=np.complex128).reshape(orders.size, len(phase))[which]
+    moves = means.any(axis=1)
+    rows, means, which = rows[moves], means[moves], which[moves]
     if not uncertain.any():
-        return _summed(own)
-    moving = np.flatnonzero(means.any(axis=1))
+        return rows, means, None
+    moving = np.unique(which)
     known = seen.kept.get(
         "known phases", (lines.follows, orders[moving].tobytes()),
         lambda: np.exp(-0.5 * np.square(orders[moving, None, None] * uncertain)),
     )  # fmt: skip
-    parts = [_summed(own[which == row]) * each for row, each in zip(moving.tolist(), known, strict=True)]
-    return np.asarray(np.sum(parts, axis=0))
+    return rows, means, [(np.flatnonzero(which == row), each) for row, each in zip(moving, known, strict=True)]
 
 
 def _summed(own: Complex) -> Floats:
