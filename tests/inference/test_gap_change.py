@@ -13,7 +13,7 @@ from torquerig.inference.features.run_features import run_features
 from torquerig.inference.gap_width import estimated_width
 from torquerig.inference.measured_run import measured_runs
 from torquerig.inference.prediction import gap_change
-from torquerig.inference.prediction.expected_run import expected_run
+from torquerig.inference.prediction.expected_run import expected_line_power, expected_run
 from torquerig.inference.prediction.gap_change import ARCMIN, WIDTHS, comes_near_zero, simulated_rests
 from torquerig.parallel import parallel_processes
 from torquerig.simulation.simulator import simulate
@@ -59,6 +59,7 @@ def test_a_simulated_gap_explains_a_spectrum_that_the_twin_does_not(tmp_path):
     assert off(without, seen) > 2.0
     assert off(with_gap, seen) < 0.5 * off(without, seen)
     assert np.asarray(with_gap.density_error).max() > 0
+    assert np.array_equal(expected_line_power(opened(rig, 10.0), seen), with_gap.line_power)
 
 
 def test_a_vanishing_gap_changes_nothing(tmp_path):

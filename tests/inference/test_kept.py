@@ -9,10 +9,11 @@ import pytest
 
 from tests.inference.drawn_runs import drawn_run, ramp, steady
 from tests.inference.pump_bench import pump_scenario
+from torquerig import mechanisms
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.kept import MOST, Kept
 from torquerig.inference.places import order
-from torquerig.inference.prediction.expected_run import expected_run
+from torquerig.inference.prediction.expected_run import expected_line_power, expected_run
 from torquerig.inference.prediction.line_features import line_features
 from torquerig.linear_twin.twin import Twin
 
@@ -33,6 +34,14 @@ def test_a_model_expects_the_same_after_others(speed, followed, tmp_path):
         after, alone = expected_run(one, seen), expected_run(one, replace(seen))
         for each in fields(alone):
             assert np.array_equal(getattr(after, each.name), getattr(alone, each.name)), each.name
+
+
+def test_the_power_of_the_lines_is_that_of_all_that_is_expected(tmp_path):
+    seen = run_features(drawn_run(1, speed=ramp(1200), orders={1.0: 0.3}), [order(1.0)])
+    rig = pump_scenario(tmp_path).rig
+    course = mechanisms.ReadingCourse(name="course", shape="step", at=0.4, gain=0.3)
+    for one in (rig, rig + course):
+        assert np.array_equal(expected_line_power(one, replace(seen)), expected_run(one, seen).line_power)
 
 
 def test_what_a_change_cannot_reach_is_not_evaluated_again(tmp_path):

@@ -17,7 +17,7 @@ from torquerig.inference.fit import Data, Fit, all_residuals
 from torquerig.inference.knobs import Knob
 from torquerig.inference.likelihood import BAND, floor_density
 from torquerig.inference.places import Place
-from torquerig.inference.prediction.expected_run import expected_run
+from torquerig.inference.prediction.expected_run import expected_line_power, expected_run
 from torquerig.inference.prediction.rig_lines import rig_lines
 from torquerig.inference.prediction.skirts import Skirts, skirts_of, smears
 from torquerig.inference.shafts import Shaft, shafts_of, whole_order
@@ -190,7 +190,7 @@ class Context:
                 continue
             column = column_of(seen, place)
             model = self.fit.expected[row]
-            added = np.sqrt(np.maximum((expected_run(rig, seen).line_power - model.line_power)[:, column], 0.0))
+            added = np.sqrt(np.maximum((expected_line_power(rig, seen) - model.line_power)[:, column], 0.0))
             noise = floor_density(seen, model)[:, column]
             for index, segment in enumerate(seen.segments):
                 if segment.line_count[column] > 0:

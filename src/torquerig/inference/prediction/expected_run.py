@@ -120,6 +120,14 @@ def _with_gaps(rig: Rig, seen: RunFeatures, model: ExpectedRun) -> ExpectedRun:
     )  # fmt: skip
 
 
+def expected_line_power(rig: Rig, seen: RunFeatures) -> Floats:
+    """Return ``line_power`` of the expected run alone."""
+    twin, change = Twin(rig.at(seen.run.run)), gap_change(rig, seen)
+    power, read = line_features(twin, seen).power, courses(twin.rig, seen)
+    power = power if read is None else read.power[:, None] * power
+    return power if change is None else np.asarray(power * np.exp(change.line))
+
+
 def _by_twin(twin: Twin, rig: Rig, seen: RunFeatures) -> ExpectedRun:
     recorded = passed_by_logger(twin.rig, seen.bands.middle)
     load = recorded * _load(twin, rig, seen)
