@@ -43,6 +43,8 @@ class Addition:
         Parameters of the parts, or of the rig, whose own parameters they then replace.
     starts : tuple of tuple of float
         Where a fit of the parameters may begin, in standard deviations of their priors.
+    stated : frozenset of str
+        Parameters of the model, by name, that are back at their stated values there: they moved in place of the effect.
     log_odds : float
         Logarithm of the prior probability of this effect at this place [nats].
     places : tuple of Place
@@ -64,6 +66,7 @@ class Addition:
     parts: tuple[Part, ...] = ()
     knobs: tuple[Knob, ...] = ()
     starts: tuple[tuple[float, ...], ...] = ()
+    stated: frozenset[str] = frozenset()
     log_odds: float = 0.0
     places: tuple[Place, ...] = ()
     label: str = ""

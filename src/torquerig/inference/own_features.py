@@ -19,13 +19,12 @@ from torquerig.inference.likelihood import Residuals
 from torquerig.inference.model import Model
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
 
-_LEFT = 0.3  # [1] of the size of an effect, 10 dB below it: true causes of 14 development cases left 0.2 at most
-
 
 def refuted(model: Model, data: Data, held: Data) -> tuple[Addition, ...]:
-    """Return the mechanisms of a model that leave more of the features that they change than chance and a right model.
+    """Return the mechanisms of a model that leave more of the features that they change than they make of them.
 
-    Tested as in ``adequacy``, of fitted and of held-out blocks. What is left counts from ``_LEFT`` of the effect on.
+    Tested as in ``adequacy``, of fitted and of held-out blocks: what is left is also more than chance and a right model
+    leave. True causes of 15 development cases left 0.8 of themselves at most, a ringing mode in a comb of tones 38.
     """
     named = [each for each in model.additions if each.is_named]
     runs = judged_runs(model.fit, data, held) if named else ()
@@ -36,7 +35,7 @@ def _is_refuted(each: Addition, fit: Fit, data: Data, held: Data, runs: Sequence
     less = without_parts(fit, data, [each])
     size = max(map(difference, data.seen, fit.expected, less.expected))
     own = [_changed(*both) for both in zip(runs, judged_runs(less, data, held), strict=True)]
-    return any(left.p_value < LEVEL_OF_TEST for left in excesses(own, _LEFT * size))
+    return any(left.p_value < LEVEL_OF_TEST for left in excesses(own, size))
 
 
 def _changed(run: JudgedRun, less: JudgedRun) -> JudgedRun:

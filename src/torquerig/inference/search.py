@@ -242,18 +242,25 @@ def _promised(context: Context, each: Addition, start: tuple[float, ...]) -> flo
     if not each.parts:  # a number with a wider prior gains at most what it would gain without one
         _, gains = without_priors(fit)
         return float(sum(gains[at] for at, knob in enumerate(fit.knobs) if knob.name in each.names)) + each.log_odds
-    expected = _expected(each.added_to(context.rig), each, start, data)
+    positions = _before(fit, each)
+    rig = turned(fit.rig, fit.knobs, positions) if each.stated else context.rig
+    expected = _expected(each.added_to(rig), each, start, data)
     if expected is None:
         return -np.inf
     there = all_residuals(data, expected, fit.gains, fit.off)
     sd = fit.sd  # of the base model: the sizes of the discrepancy have not followed yet
     value = np.concatenate([one.value for one in there]) / sd
-    position = np.concatenate([fit.positions, fit.gains])
+    position = np.concatenate([positions, fit.gains])
     gradient = gradient_of(fit.jacobian, value) + position
     step = -np.linalg.solve(hessian_of(fit.jacobian, value), gradient)
     prior = float(np.square(position + step).sum() + np.square(start).sum())
     after = log_density_of(*after_step(fit.jacobian, value, sd, step)) - 0.5 * prior
     return after - fit.log_posterior + each.log_odds - _PER_PARAMETER * len(start)
+
+
+def _before(fit: Fit, each: Addition) -> Floats:
+    """Return the parameters with which a fit of an addition begins."""
+    return np.where([knob.name in each.stated for knob in fit.knobs], 0.0, fit.positions)
 
 
 def _expected(rig: Rig, each: Addition, start: tuple[float, ...], data: Data) -> list[ExpectedRun] | None:
@@ -274,7 +281,7 @@ def _together(model: Model, data: Data, each: Addition, start: tuple[float, ...]
     try:
         found = sketched(
             each.added_to(fit.rig), (*(fit.knobs[at] for at in kept), *each.knobs), data, gains=fit.gains, off=fit.off,
-            start=np.concatenate([fit.positions[kept], start]), jacobian=jacobian, nominal=fit.nominal,
+            start=np.concatenate([_before(fit, each)[kept], start]), jacobian=jacobian, nominal=fit.nominal,
         )  # fmt: skip
     except (TorquerigError, ValueError, np.linalg.LinAlgError):
         return None
