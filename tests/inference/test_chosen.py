@@ -18,11 +18,16 @@ from torquerig.inference.places import order
 PART = SimpleNamespace(name="hum")
 HARMONIC = Addition(mechanism="mains_interference", label="hum at 300 Hz", parts=(PART,))
 FUNDAMENTAL = Addition(mechanism="mains_interference", label="hum at 60 Hz", parts=(PART,))
+LOAD = SimpleNamespace(name="load.mean")
 NO_DATA = Data((), ())
 
 
-def model(evidence, *additions):
-    return Model(SimpleNamespace(log_evidence=evidence, off=Discrepancy(), unseen=0.0), additions, ())
+def model(evidence, *additions, load=0.0):
+    """Return a model of so much evidence with a number so many standard deviations from its stated value."""
+    fit = SimpleNamespace(
+        log_evidence=evidence, off=Discrepancy(), unseen=0.0, knobs=(LOAD,), positions=np.array([load])
+    )
+    return Model(fit, additions, ())
 
 
 def _finished(fit, _):
@@ -116,3 +121,11 @@ def test_a_line_of_a_nameless_effect_may_lack_a_second_part(monkeypatch, mechani
     line = FoundLine(order(3.0), -40.0, 0.0)
     each = Addition(mechanism=mechanism, parts=(PART,), places=(line.place,))
     assert search._together(Model(fit, (), (line,)), NO_DATA, each, ()).lines == ((line,) if is_left else ())
+
+
+@pytest.mark.parametrize(("before", "after", "unseen"), [(9.0, 0.5, -20.0), (9.0, 3.0, 5.0), (2.5, 0.5, 5.0)])
+def test_parts_that_make_a_number_the_stated_one_are_compared_with_that(monkeypatch, before, after, unseen):
+    monkeypatch.setattr(search, "refitted", lambda *_, keeps: SimpleNamespace(unseen=-20.0 if not keeps(LOAD) else 0.0))
+    monkeypatch.setattr(search, "held_out_density", lambda fit, _: fit.unseen)
+    fit, friction = model(0.0, load=before).fit, model(30.0, HARMONIC, load=after)
+    assert search._compared(fit, friction, NO_DATA, NO_DATA, 5.0, fits=[friction]) == unseen

@@ -81,10 +81,10 @@ def test_a_beat_says_nothing_of_frequencies_without_a_searched_band():
     assert impact.log_p_near(1.16) == 0.0
 
 
-def proposed(monkeypatch, impact, *, turns_per_second=1.0):
+def proposed(monkeypatch, impact):
     shaft = SimpleNamespace(part="drum", turns=0.034)
     context = SimpleNamespace(shafts=[shaft], data=SimpleNamespace(seen=()), rig=SimpleNamespace(of_kind=lambda _: ()),
-                              bands_above=list, fastest=lambda _: 2 * np.pi * turns_per_second)  # fmt: skip
+                              bands_above=list)  # fmt: skip
     monkeypatch.setattr(bearing_defect, "search_impacts", lambda *_: impact)
     monkeypatch.setattr(bearing_defect, "_impacts", lambda *_: "impacts")
     return len([*bearing_defect.propose(context)])
@@ -95,10 +95,9 @@ def test_impacts_are_at_an_order_that_the_search_separates_from_whole_ones(monke
     assert proposed(monkeypatch, Impact(order, 78.0, {78.0: -14.7}, step)) == count
 
 
-@pytest.mark.parametrize(("turns_per_second", "count"), [(3.0, 1), (4.0, 0)])
-def test_a_ring_comes_to_rest_between_impacts(monkeypatch, turns_per_second, count):
-    impact = Impact(2.77, 78.0, {78.0: -14.7}, 0.01)
-    assert proposed(monkeypatch, impact, turns_per_second=turns_per_second) == count
+@pytest.mark.parametrize(("frequency", "count"), [(78.0, 1), (10.5, 0)])
+def test_no_bearing_rings_at_some_hertz(monkeypatch, frequency, count):
+    assert proposed(monkeypatch, Impact(2.77, frequency, {frequency: -14.7}, 0.01)) == count
 
 
 def test_impacts_that_the_load_makes_stronger_once_a_turn_keep_their_order():

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from tests.inference.pump_bench import pump_scenario
-from torquerig.inference import search
 from torquerig.inference.addition import Addition
 from torquerig.inference.additions.stribeck_friction import _moved_instead
 from torquerig.inference.knobs import Knob, turned
+from torquerig.inference.screening import begins_at
 from torquerig.inference.shafts import shafts_of
 
 
@@ -28,5 +28,5 @@ def test_the_growth_of_a_dry_torque_is_that_of_the_mechanism(tmp_path, position,
     context = SimpleNamespace(fit=fit, rig=turned(rig, knobs, positions))
     found, moved = _moved_instead(context, shafts_of(rig)[-1])
     assert (found, moved) == (pytest.approx(more), names)
-    begins = search._before(fit, Addition(stated=moved))
+    begins = begins_at(fit, Addition(stated=moved))
     assert begins.tolist() == [0.0 if moved else position, 5.0]

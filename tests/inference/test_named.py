@@ -193,6 +193,18 @@ def test_friction_that_differs_by_direction_has_sizes_of_both(tmp_path):
 
 
 @pytest.mark.long
+def test_friction_is_named_where_the_load_could_be_several_times_the_stated_one(tmp_path):
+    stated = "{0: {value: 0.3 N*m, rel_sd: 0.05}, 100: {value: 2 N*m, rel_sd: 0.05}}"
+    scenario = bench(PUMP.replace("{0: 1 N*m, 100: 2 N*m}", stated), tmp_path)
+    part = mechanisms.StribeckFriction(name="x", at="pump", coulomb=0.7, static=1.0, stribeck_speed=3.0)
+    data = answered(scenario, recorded(scenario, [part], runs=((1200, 100), (800, 0)), profile="reversal"))
+    assert data["setup"] == []
+    assert [finding["mechanism"] for finding in data["findings"]] == ["stribeck_friction"]
+    low, high = data["findings"][0]["parameters"]["coulomb_Nm"]["ci95"]
+    assert low < 0.7 < high
+
+
+@pytest.mark.long
 @pytest.mark.parametrize("name", BENCHES)
 def test_nothing_is_named_where_nothing_is_missing(benches, name):
     assert answered(benches[name], recorded(benches[name]))["findings"] == []

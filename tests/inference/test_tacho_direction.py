@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from torquerig.inference.tacho_direction import directed
+from torquerig.inference.motor_angle.tacho_direction import directed
 
 RATE = 1000.0
 TIME = np.arange(16_000) / RATE

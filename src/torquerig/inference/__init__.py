@@ -4,7 +4,7 @@ sample_faults           samples at a limit, coarse codes and dropouts: named, re
 untrue_samples          faults of samples that no mechanism makes: repaired and stated; set_points: speeds of sidecars
 rig_under_test          whether the recordings can be runs of the rig
 motor_angle/            the angle of the motor in each run            places   an order or a frequency
-measured_run, blocks    a recording with its angle, cut where the speed changes; tacho_direction: which way it turned
+measured_run, blocks    a recording with its angle, cut where the speed changes
 kept                    what was computed for a run and is required again
 features/               what recordings show: lines, bands, levels; and lines that no model has yet
 prediction/             what a rig is expected to show

@@ -14,7 +14,7 @@ from torquerig.inference.blocks import Block, blocks_of
 from torquerig.inference.kept import Kept
 from torquerig.inference.motor_angle.shaft_angle import ShaftAngle, shaft_angles
 from torquerig.inference.motor_angle.smoothed_speed import speed_of
-from torquerig.inference.tacho_direction import directed
+from torquerig.inference.motor_angle.tacho_direction import directed
 from torquerig.orders.angle.measured_angle import measured_motor_angle
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import WANDER_CUTOFF, Run

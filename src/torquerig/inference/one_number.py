@@ -15,6 +15,7 @@ from torquerig.inference.fit import Fit
 Floats = NDArray[np.float64]
 
 FAR = 2.0  # [standard deviations] nearer than this to its stated value a number is not far off
+MOVED = 4.0  # [standard deviations] farther from its stated value it explains what is no spread of copies of a rig
 _DETERMINED = 1e-6  # [1] least share of the prior variance by which data narrow a parameter; less moves it anywhere
 
 

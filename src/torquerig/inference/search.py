@@ -17,18 +17,14 @@ from torquerig.inference.context import Context, lacks
 from torquerig.inference.discrepancy import log_prior
 from torquerig.inference.dropped import without_needless
 from torquerig.inference.features.line_search import FoundLine
-from torquerig.inference.fit import Data, Fit, all_residuals, finished, sketch_error, sketched
+from torquerig.inference.fit import Data, Fit, finished, sketch_error, sketched
 from torquerig.inference.held_out import held_out_density
-from torquerig.inference.knobs import turned
-from torquerig.inference.likelihood import log_density_of
 from torquerig.inference.model import Model
-from torquerig.inference.one_number import FAR, without_priors
-from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
+from torquerig.inference.one_number import FAR, MOVED
 from torquerig.inference.refitted import refitted
-from torquerig.inference.slopes import after_step, gradient_of, hessian_of
+from torquerig.inference.screening import begins_at, screened
 from torquerig.inference.undecided_lines import column_of
 from torquerig.parallel import parallel_map
-from torquerig.rig.assembly import Rig
 
 Floats = NDArray[np.float64]
 Progress = Callable[[str], None]
@@ -39,7 +35,6 @@ _NUMBERS = 2  # of these that are numbers, where others wait: what is promised o
 LEAST_GAIN = 8.0  # [nats] of posterior odds by which an addition must win, 3000 to 1: the library is never complete
 LEAST_HELD_OUT = 3.0  # [nats] by which it must make the held-out data more likely
 LEAST_OTHER, LEAST_HELD_OUT_OTHER = 3.0, 1.0  # [nats] of a nameless effect, in their sum; of a number the first
-_PER_PARAMETER = 1.5  # [nats] that the freedom of a parameter costs before it is fitted, for the screening
 
 
 def searched(
@@ -70,11 +65,11 @@ def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple
     context = Context(model.fit, data, tuple(line for line in model.lines if lacks(model.fit, data, line.place)))
     taken = frozenset[str]().union(*(each.names for each in model.additions))
     free = [each for each in proposals(context) if not each.names & taken]
-    gains = parallel_map(lambda each: _screened(context, each), free)
-    screened = sorted(((*gain, each) for gain, each in zip(gains, free, strict=True)), key=lambda one: -one[0])
-    tried = tuple((each, gain) for gain, _, each in screened)
+    gains = parallel_map(lambda each: screened(context, each), free)
+    ranked = sorted(((*gain, each) for gain, each in zip(gains, free, strict=True)), key=lambda one: -one[0])
+    tried = tuple((each, gain) for gain, _, each in ranked)
     slack = -log_prior(model.fit.off)  # that an addition gets back when it makes the discrepancy smaller
-    fits = _fitted(model, data, [(each, start) for gain, start, each in screened if gain > -slack])
+    fits = _fitted(model, data, [(each, start) for gain, start, each in ranked if gain > -slack])
     best, others = _best([_Candidate.of(one, held) for one in fits], model, data, held)
     if best is None:
         return None, tried
@@ -178,17 +173,25 @@ def _explained(one: Model, fits: Sequence[Model]) -> frozenset[str]:
     return frozenset(knob.name for knob, position in at if abs(position) < FAR) & numbers - one.additions[-1].names
 
 
+def _stated_again(before: Fit, after: Fit) -> frozenset[str]:
+    """Return the numbers that have moved far in one fit and are near their stated values in another."""
+    far = {knob.name for knob, at in zip(before.knobs, before.positions.tolist(), strict=True) if abs(at) > MOVED}
+    near = {knob.name for knob, at in zip(after.knobs, after.positions.tolist(), strict=True) if abs(at) < FAR}
+    return frozenset(far & near)
+
+
 def _compared(fit: Fit, one: Model, data: Data, held: Data, before: float, *, fits: Sequence[Model]) -> float:
     """Return the held-out log-likelihood that the last addition of a model must exceed [nats].
 
-    That is ``before`` for parts. A number that is far off has moved already, against its prior: it is compared with the
-    stated one, to which the others are fitted anew, except those numbers of the round, ``fits``, that it makes stated
-    ones again. Such a number would move instead, and no held-out data see how improbable that is.
+    A number that is far off has moved already, against its prior: it is compared with the stated one, to which the
+    others are fitted anew, except those numbers of the round, ``fits``, that it makes stated ones again. Such a number
+    would move instead, and no held-out data see how improbable that is. Parts are compared with ``before``, or likewise
+    where they make numbers stated ones again that had moved far.
     """
     each = one.additions[-1]
-    if each.parts:
+    moved = _stated_again(fit, one.fit) if each.parts else each.names | _explained(one, fits)
+    if not moved:
         return before
-    moved = each.names | _explained(one, fits)
     stated = refitted(fit, data, keeps=lambda knob: knob.name not in moved)
     return before if stated is None else held_out_density(stated, held)
 
@@ -229,49 +232,6 @@ def _few_numbers(chosen: Sequence[Addition]) -> list[Addition]:
     return [*(each for each in chosen if not any(each is one for one in late)), *late]
 
 
-def _screened(context: Context, each: Addition) -> tuple[float, tuple[float, ...]]:
-    """Return the gain of posterior odds that the local model promises [nats], and from which start."""
-    gains = [_promised(context, each, start) for start in each.starts]
-    best = int(np.argmax(gains))
-    return gains[best], each.starts[best]
-
-
-def _promised(context: Context, each: Addition, start: tuple[float, ...]) -> float:
-    """Return the gain with the other parameters moved by one linear step."""
-    fit, data = context.fit, context.data
-    if not each.parts:  # a number with a wider prior gains at most what it would gain without one
-        _, gains = without_priors(fit)
-        return float(sum(gains[at] for at, knob in enumerate(fit.knobs) if knob.name in each.names)) + each.log_odds
-    positions = _before(fit, each)
-    rig = turned(fit.rig, fit.knobs, positions) if each.stated else context.rig
-    expected = _expected(each.added_to(rig), each, start, data)
-    if expected is None:
-        return -np.inf
-    there = all_residuals(data, expected, fit.gains, fit.off)
-    sd = fit.sd  # of the base model: the sizes of the discrepancy have not followed yet
-    value = np.concatenate([one.value for one in there]) / sd
-    position = np.concatenate([positions, fit.gains])
-    gradient = gradient_of(fit.jacobian, value) + position
-    step = -np.linalg.solve(hessian_of(fit.jacobian, value), gradient)
-    prior = float(np.square(position + step).sum() + np.square(start).sum())
-    after = log_density_of(*after_step(fit.jacobian, value, sd, step)) - 0.5 * prior
-    return after - fit.log_posterior + each.log_odds - _PER_PARAMETER * len(start)
-
-
-def _before(fit: Fit, each: Addition) -> Floats:
-    """Return the parameters with which a fit of an addition begins."""
-    return np.where([knob.name in each.stated for knob in fit.knobs], 0.0, fit.positions)
-
-
-def _expected(rig: Rig, each: Addition, start: tuple[float, ...], data: Data) -> list[ExpectedRun] | None:
-    """Return what the rig with an addition is expected to show; None where there cannot be such a rig."""
-    try:
-        at = turned(rig, each.knobs, np.array(start))
-        return [expected_run(at, seen) for seen in data.seen]
-    except (TorquerigError, ValueError, np.linalg.LinAlgError):
-        return None
-
-
 def _together(model: Model, data: Data, each: Addition, start: tuple[float, ...]) -> Model | None:
     """Return the model with an addition, all parameters fitted together; None where that is not possible."""
     fit, own = model.fit, {knob.name for knob in each.knobs}
@@ -281,7 +241,7 @@ def _together(model: Model, data: Data, each: Addition, start: tuple[float, ...]
     try:
         found = sketched(
             each.added_to(fit.rig), (*(fit.knobs[at] for at in kept), *each.knobs), data, gains=fit.gains, off=fit.off,
-            start=np.concatenate([_before(fit, each)[kept], start]), jacobian=jacobian, nominal=fit.nominal,
+            start=np.concatenate([begins_at(fit, each)[kept], start]), jacobian=jacobian, nominal=fit.nominal,
         )  # fmt: skip
     except (TorquerigError, ValueError, np.linalg.LinAlgError):
         return None

@@ -25,7 +25,7 @@ _MOST_FACTOR = 25.0  # [nats] that the beat may count: the band that rings must 
 _DAMPING, _DAMPING_SPREAD = 0.03, 0.7  # and of its logarithm
 _FREQUENCY_SPREAD = 0.2  # of its logarithm
 _SLIP, _SLIP_SPREAD = 0.005, 1.2  # [1] of the angle between impacts: balls roll with slip; and of its logarithm
-_LEAST_RING = 8.0  # rings per impact: a slower mode does not come to rest in between, and the impacts are lines
+_LEAST_RING = 30.0  # [Hz] races and housings ring no slower: Randall & Antoni 2011, MSSP 25(2), speak of kilohertz
 _STRONGEST = 2  # bands that exceed the model most, in one of which the mode may be
 
 
@@ -38,9 +38,8 @@ def propose(context: Context) -> Iterator[Addition]:
     shares = [shaft.turns / other.turns for other in context.shafts]
     orders = [(impact.order * share, max(_WHOLE, impact.step * share)) for share in shares]
     if all(abs(order - round(order)) > near for order, near in orders):
-        least = _LEAST_RING * impact.order * context.fastest(shaft) / (2 * pi)
         frequencies = dict.fromkeys((impact.frequency, *context.bands_above()[:_STRONGEST]))
-        for frequency in (each for each in frequencies if each > least):
+        for frequency in (each for each in frequencies if each > _LEAST_RING):
             yield _impacts(context, shaft, replace(impact, frequency=frequency))
 
 
