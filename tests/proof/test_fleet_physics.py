@@ -9,7 +9,9 @@ import pytest
 from proof.fleet.chain import converted, encoder_counts, low_passed
 from proof.fleet.counting import levels, whittle
 from proof.fleet.courses import Courses
+from proof.fleet.effect import Motion
 from proof.fleet.effects.backlash import Backlash
+from proof.fleet.effects.bearing_defect import BearingDefect
 from proof.fleet.kernel import POINTS, run_train
 from proof.fleet.recording import move, train_with
 from proof.fleet.response import sensed_per_error, sensed_per_torque
@@ -107,6 +109,16 @@ def test_a_transmission_error_makes_its_line(calm):
     line = 2.0 * np.mean((out[-10000:, 0] - out[-10000:, 0].mean()) * np.exp(-1j * order * angle))
     wanted = size * sensed_per_error(train, 36.0, 0, speed=0.0)
     assert abs(line) == pytest.approx(abs(wanted), rel=0.03)
+
+
+def test_balls_strike_as_often_backward_as_forward():
+    rate = 1000.0
+    time = np.arange(0, 20, 1 / rate)
+    angle = 2 * pi * 5 * np.where(time < 10, time, 20 - time)  # ten seconds forward, ten backward
+    motion = Motion(time, np.zeros(time.size), angle, angle, np.gradient(angle, time), rate, 20.0)
+    defect = BearingDefect("drum", order=3.6, ring=200.0, damping=0.03, torque=1.0, slip=0.005, loaded=0.0)
+    rung = defect.on_torque(motion.torque, motion, np.random.default_rng(1))
+    assert rung[time > 10].std() == pytest.approx(rung[time < 10].std(), rel=0.05)
 
 
 def test_an_induction_motor_slips_by_its_load():

@@ -36,8 +36,7 @@ class BearingDefect(Effect):
         """Add a ring from the instant of every impact."""
         from scipy.signal import oaconvolve
 
-        travel = np.abs(motion.output_angle - motion.output_angle[0])
-        travel = np.maximum.accumulate(travel)
+        travel = np.cumsum(np.abs(np.diff(motion.output_angle, prepend=motion.output_angle[0])))
         count = int(travel[-1] * self.order / (2.0 * np.pi)) + 1
         gaps = 2.0 * np.pi / self.order * np.maximum(1.0 + self.slip * rng.standard_normal(count), 0.1)
         places = np.cumsum(gaps) - rng.uniform(0.0, gaps[0])
