@@ -11,6 +11,7 @@ from torquerig.inference import search
 from torquerig.inference.addition import Addition
 from torquerig.inference.features.line_search import FoundLine
 from torquerig.inference.fit import Data
+from torquerig.inference.knobs import Knob
 from torquerig.inference.likelihood import Discrepancy
 from torquerig.inference.model import Model
 from torquerig.inference.places import order
@@ -71,6 +72,17 @@ def test_an_effect_without_a_name_wins_by_the_sum_of_its_gains(round_of):
     assert round_of((model(3.9, tone), 0.2)).additions == (tone,)
     for odds, held_out in ((2.0, 1.5), (-0.5, 14.0), (14.0, -0.5)):
         assert round_of((model(odds, tone), held_out)) is None
+
+
+@pytest.mark.parametrize(("behind", "numbers", "is_named"), [(2.0, 2, True), (4.0, 2, False), (2.0, 4, False)])
+def test_a_name_that_does_as_well_with_fewer_numbers_is_preferred(round_of, behind, numbers, is_named):
+    knobs = [Knob("x", "amplitudes", 1.0, key=key) for key in range(4)]
+    family = Addition(kind="line_family", label="", parts=(PART,), knobs=tuple(knobs))
+    blades = Addition(mechanism="blade_pass", label="", parts=(PART,), knobs=tuple(knobs[:numbers]))
+    best = round_of((model(40.0, family), 20.0), (model(40.0 - behind, blades), 20.0))
+    assert best.additions == ((blades if is_named else family),)
+    ((added, other, gap),) = best.alternatives
+    assert (added, other, gap) == ((blades, family, 0.0) if is_named else (family, blades, behind))
 
 
 def test_only_fits_that_may_win_are_finished(round_of):

@@ -35,6 +35,7 @@ _NUMBERS = 2  # of these that are numbers, where others wait: what is promised o
 LEAST_GAIN = 8.0  # [nats] of posterior odds by which an addition must win, 3000 to 1: the library is never complete
 LEAST_HELD_OUT = 3.0  # [nats] by which it must make the held-out data more likely
 LEAST_OTHER, LEAST_HELD_OUT_OTHER = 3.0, 1.0  # [nats] of a nameless effect, in their sum; of a number the first
+_AS_WELL = 3.0  # [nats] 20 to 1: less far behind, no hypothesis is excluded
 
 
 def searched(
@@ -75,8 +76,8 @@ def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple
         return None, tried
     added = best.model.additions[-1]
     # one of better odds failed on the held-out data and is no alternative
-    behind = [(added, one.added, best.odds - one.odds) for one in others
-              if one.odds <= best.odds and competes(added, one.added, data)]  # fmt: skip
+    behind = [(added, one.added, max(best.odds - one.odds, 0.0)) for one in others
+              if one.odds <= best.odds + _economy(best, one, data) and competes(added, one.added, data)]  # fmt: skip
     return replace(best.model, alternatives=(*model.alternatives, *behind)), tried
 
 
@@ -113,13 +114,13 @@ def _best(
         gain, total = sketch.model.log_odds - model.log_odds, sketch.odds - model.log_odds - before
         error, (least, _, both) = sketch_error(total), _needed(sketch.added)
         loses = gain <= least - error or (bool(sketch.added.parts) and total <= both - error)
-        if loses or (best is not None and sketch.odds <= best.odds - error):
+        if loses or (best is not None and sketch.odds + _economy(sketch, best, data) <= best.odds - error):
             others.append(sketch)
             continue
         one = _Candidate.of(replace(sketch.model, fit=finished(sketch.model.fit, data)), held)
         gain = one.model.log_odds - model.log_odds
         fits = [each.model for each in sketches]
-        is_ahead = gain > least and (best is None or one.odds > best.odds)
+        is_ahead = gain > least and (best is None or one.odds + _economy(one, best, data) > best.odds)
         if is_ahead and wins(
             one.added, odds=gain, held_out=one.held_out - _compared(model.fit, one.model, data, held, before, fits=fits)
         ):
@@ -128,6 +129,16 @@ def _best(
         else:
             others.append(one)
     return best, others
+
+
+def _economy(one: _Candidate, other: _Candidate, data: Data) -> float:
+    """Return by how many nats a candidate may be behind another and still be preferred.
+
+    A name is a claim of economy: it does as well as nameless effects with fewer numbers, for the same features.
+    """
+    named, nameless = one.added, other.added
+    is_name = named.is_named and _is_nameless(nameless) and len(named.knobs) < len(nameless.knobs)
+    return _AS_WELL if is_name and competes(named, nameless, data) else 0.0
 
 
 def wins(added: Addition, *, odds: float, held_out: float) -> bool:
