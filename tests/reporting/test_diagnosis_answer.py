@@ -41,6 +41,20 @@ def test_a_verdict_without_findings_says_what_to_do(verdict):
     assert words_of(answer) <= 25
 
 
+@pytest.mark.parametrize(
+    ("orders", "said"),
+    [
+        ((4.0,), "at order 4 of the motor shaft."),
+        ((4.0, 7.0, 9.0, 11.0), "at order 4 of the motor shaft, at order 7 of the motor shaft and 2 more."),
+    ],
+)
+def test_an_adequate_answer_says_which_small_residuals_are_left(orders, said):
+    rows = [{"domain": "order", "axis": "motor_shaft", "at": order, "width": 0.01, "recordings": ["a.parquet"],
+             "excess_dB": 9.0, "share_of_misfit": 0.1, "p_value": 1e-6} for order in orders]  # fmt: skip
+    first = diagnosis_answer(data("adequate", mismatch=rows), percent=False).sentences[0]
+    assert first == f"No physics of relevant size is missing. A small residual is left: {said}"
+
+
 def test_a_wrong_set_up_fact_and_a_residual_in_newton_metres_come_from_the_second_engine():
     rms = {"unit": "N*m", "before": 1.69, "after": 0.44}
     answer = diagnosis_answer(data("setup_error", setup=[SCALE], rms=rms), percent=False)

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from torquerig.reporting.diagnosis.likelihood.sentences import nothing_missing
 from torquerig.reporting.diagnosis.sentences import fact_text, mechanism_text
 from torquerig.reporting.layout import plain
 from torquerig.study.answer.what_to_do import LargeFigure
@@ -62,7 +63,7 @@ def diagnosis_answer(data: Mapping[str, Any], *, percent: bool) -> DiagnosisAnsw
 def _missing(data: Mapping[str, Any]) -> str:
     verdict, names = data["verdict"], [_named(one) for one in data["findings"]]
     if verdict == "adequate":
-        return "No physics is missing that these recordings can show."
+        return nothing_missing(data)
     if verdict == "setup_error":
         first = data["setup"][0]
         right = _number(first["estimated"])

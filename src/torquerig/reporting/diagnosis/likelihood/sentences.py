@@ -15,6 +15,8 @@ from torquerig.reporting.diagnosis.sentences import (
 )
 from torquerig.reporting.layout import plain
 
+_PLACES = 2  # of small residuals that the sentence lists
+
 
 def verdict_of(data: Mapping[str, Any], *, measure: ResidualMeasure = FEATURE_RESIDUAL) -> str:
     """Return the verdict in sentences: what is missing, and how the residual on held-out data changed."""
@@ -22,7 +24,7 @@ def verdict_of(data: Mapping[str, Any], *, measure: ResidualMeasure = FEATURE_RE
     before, after = (measure.formatted(fit[side]["heldout_misfit"]) for side in ("before", "after"))
     name, verdict, of, least = measure.name, data["verdict"], measure.of, measure.true_model
     if verdict == "adequate":
-        return f"No physics is missing that these recordings can show. The {name} is {after}{of}.{least}"
+        return f"{nothing_missing(data)} The {name} is {after}{of}.{least}"
     change = f"{f'stays at {after}' if before == after else f'changes from {before} to {after}'}{of}"
     if verdict == "setup_error":
         wrong = " and ".join(fact_text(one) for one in data["setup"])
@@ -34,6 +36,16 @@ def verdict_of(data: Mapping[str, Any], *, measure: ResidualMeasure = FEATURE_RE
     more = "Something more" if named else "Something"
     where = _place(data, measure)
     return f"{lacks}{more} is missing that no mechanism of the library explains.{where} The {name} {change}."
+
+
+def nothing_missing(data: Mapping[str, Any]) -> str:
+    """Return that nothing is missing, or where a residual below the relevance limit is left."""
+    rows = [*data.get("mismatch", ())]
+    if not rows:
+        return "No physics is missing that these recordings can show."
+    places = [place_text(Mismatch(**{**row, "recordings": tuple(row["recordings"])})) for row in rows[:_PLACES]]
+    more = f" and {len(rows) - _PLACES} more" if len(rows) > _PLACES else ""
+    return f"No physics of relevant size is missing. A small residual is left: {', '.join(places)}{more}."
 
 
 def _place(data: Mapping[str, Any], measure: ResidualMeasure) -> str:
