@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 
 from torquerig.inference.addition import Addition
@@ -40,6 +41,7 @@ def test_a_number_is_kept_where_the_stated_one_fails_or_its_odds_are_clear(monke
         return SimpleNamespace(log_evidence=100.0)
 
     monkeypatch.setattr(stated_numbers, "far_numbers", lambda _: [NUMBER])
+    monkeypatch.setattr(stated_numbers, "_holds_stated", lambda *_: False)
     monkeypatch.setattr(stated_numbers, "refitted", refitted)
     monkeypatch.setattr(stated_numbers, "significant", lambda *_: (() if passes else ("excess",), ()))
     monkeypatch.setattr(verdict, "held_out_density", lambda *_: 0.0)
@@ -47,3 +49,16 @@ def test_a_number_is_kept_where_the_stated_one_fails_or_its_odds_are_clear(monke
     assert held == ["controller.kp"]
     assert found.model.additions == ((NUMBER,) if is_wrong else ())
     assert (found.model.fit is fit) is is_wrong
+
+
+@pytest.mark.parametrize(("half", "is_wrong"), [(0.5, True), (3.0, False)])
+def test_a_number_whose_interval_holds_the_stated_value_is_never_wrong(monkeypatch, half, is_wrong):
+    knob = NUMBER.knobs[0]
+    rig = SimpleNamespace(part=lambda _: SimpleNamespace(kp=2.0))
+    variance = np.array([[(half / 1.96) ** 2]])
+    fit = SimpleNamespace(rig=rig, nominal=rig, knobs=(knob,), positions=np.array([1.0]), covariance=lambda: variance)
+    monkeypatch.setattr(stated_numbers, "far_numbers", lambda one: [*one.model.additions])
+    monkeypatch.setattr(stated_numbers, "refitted", lambda *_, **__: SimpleNamespace())
+    monkeypatch.setattr(stated_numbers, "is_rejected", lambda *_: True)
+    found = stated_numbers.with_stated_numbers(Outcome(Model(fit, (NUMBER,))))
+    assert found.model.additions == ((NUMBER,) if is_wrong else ())
