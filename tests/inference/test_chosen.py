@@ -41,6 +41,7 @@ def round_of(monkeypatch):
     """Return a round of the search over models that are fitted already, each with its held-out log-likelihood."""
 
     def extended(*fits):
+        monkeypatch.setattr(search, "moved_lines", lambda *_: [])
         monkeypatch.setattr(search, "proposals", lambda _: [])
         monkeypatch.setattr(search, "_fitted", lambda *_: [made for made, _ in fits])
         for made, unseen in fits:

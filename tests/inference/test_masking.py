@@ -9,10 +9,10 @@ from tests.inference.drawn_runs import drawn_run, steady
 from tests.inference.pump_bench import pump_scenario
 from torquerig import mechanisms
 from torquerig.inference.additions.bearing_defect import refined
-from torquerig.inference.context import lacks
 from torquerig.inference.discrepancy import MEDIAN, SPREAD, estimated
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.fit import Data, sketched
+from torquerig.inference.model import lacks
 from torquerig.inference.places import order
 from torquerig.inference.prediction.expected_run import expected_run
 

@@ -7,10 +7,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from torquerig.inference import one_number
 from torquerig.inference.fit import Fit
 from torquerig.inference.knobs import Knob
-from torquerig.inference.likelihood import Discrepancy
-from torquerig.inference.one_number import without_priors
+from torquerig.inference.likelihood import BAND, LINE, Discrepancy
+from torquerig.inference.one_number import moved_lines, without_priors
+from torquerig.inference.places import order
 
 KNOBS = tuple(Knob("part", name, 0.1) for name in ("first", "second"))
 SLOPES = np.array([[1.0, 1.0], [1.0, 0.9], [0.2, 0.3], [0.0, 0.4]])
@@ -54,3 +56,28 @@ def test_of_two_that_explain_the_same_the_stiff_one_gains_most_without_its_prior
     moved, gains = without_priors(fit)
     assert abs(positions[1]) < 0.2 < 10 < abs(moved[1])
     assert gains == pytest.approx([gains[0]] * 2, rel=0.1)
+
+
+@pytest.mark.parametrize(
+    ("positions", "slopes", "moved"),
+    [
+        ([9.0, 0.0], [[0.1, 0.0], [2.0, 0.0], [0.5, 1.0]], [order(7.0)]),
+        ([3.0, 0.0], [[0.1, 0.0], [2.0, 0.0], [0.5, 1.0]], []),  # within the spread of copies of a rig
+        (
+            [0.0, -9.0],
+            [[0.1, 0.0], [2.0, 0.0], [0.5, 1.0]],
+            [],
+        ),  # a number that changes a band most is no size of a line
+        ([9.0, 9.0], [[0.1, 3.0], [2.0, 0.0], [0.5, 1.0]], [order(7.0), order(2.0)]),
+    ],
+)
+def test_a_stated_line_that_has_moved_far_is_the_one_that_its_number_changes_most(
+    monkeypatch, positions, slopes, moved
+):
+    seen = SimpleNamespace(places=(order(2.0), order(7.0)))
+    rows = SimpleNamespace(kind=np.array([LINE, LINE, BAND]), at=np.array([0, 1, 0]))
+    monkeypatch.setattr(one_number, "all_residuals", lambda *_: [rows])
+    fit = SimpleNamespace(
+        positions=np.array(positions), jacobian=np.array([*slopes, *np.zeros((3, 2))]), expected=(), gains=(), off=None
+    )
+    assert moved_lines(fit, SimpleNamespace(seen=[seen])) == moved

@@ -14,11 +14,11 @@ from torquerig.inference.blocks import STANDSTILL
 from torquerig.inference.features.line_search import FoundLine
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.fit import Data, Fit, all_residuals
-from torquerig.inference.knobs import Knob
+from torquerig.inference.knobs import Knob, turned
 from torquerig.inference.likelihood import BAND, floor_density
+from torquerig.inference.one_number import stated_again
 from torquerig.inference.places import Place
-from torquerig.inference.prediction.expected_run import expected_line_power, expected_run
-from torquerig.inference.prediction.rig_lines import rig_lines
+from torquerig.inference.prediction.expected_run import ExpectedRun, expected_line_power, expected_run
 from torquerig.inference.prediction.skirts import Skirts, skirts_of, smears
 from torquerig.inference.shafts import Shaft, shafts_of, whole_order
 from torquerig.inference.undecided_lines import column_of
@@ -29,7 +29,6 @@ SHARE_OF_SIGNAL = 0.03  # [1] of the signal's standard deviation: median of the 
 SAME_MULTIPLE = 2e-3  # [1] relative: so near to a whole multiple of a line another one is its harmonic
 _UNMEASURED = 6e-3  # [1] relative error of a found order where no angle was measured: half of what smears a line
 _SAME_ORDER = 4e-3  # [1/rev] so near to an order of a shaft a line is taken to be at it
-_LACKING = 4.0  # [1] of the power that a model expects: 6 dB more is no error of a line's size
 _REACHES = 0.1  # of the largest response: a run in which a torque hardly reaches the sensor says little of its size
 
 
@@ -43,11 +42,14 @@ class Context:
     data : Data
     lines : tuple of FoundLine
         That no part of the model explains.
+    moved : frozenset of Place
+        Lines of the rig whose stated size has moved far to explain them. They are among ``lines`` too.
     """
 
     fit: Fit
     data: Data
     lines: tuple[FoundLine, ...]
+    moved: frozenset[Place] = frozenset()
 
     @cached_property
     def rig(self) -> Rig:
@@ -175,6 +177,12 @@ class Context:
         known = {place for seen in self.data.seen for place in seen.places if place.domain == "order"} - found
         return {order: each for order in orders for each in known if abs(each.at / order - 1) < self.order_error}
 
+    @cached_property
+    def _stated(self) -> list[ExpectedRun]:
+        """What the rig is expected to show with the numbers at their stated values that have moved far."""
+        rig = turned(self.fit.rig, self.fit.knobs, stated_again(self.fit))
+        return [expected_run(rig, seen) for seen in self.data.seen]
+
     def size_of(self, unit: Part, place: Place | None) -> tuple[float, float]:
         """Return by which factor ``unit`` explains the line at ``place``, and the median of the factor's prior.
 
@@ -190,11 +198,12 @@ class Context:
                 continue
             column = column_of(seen, place)
             model = self.fit.expected[row]
+            without = self._stated[row] if place in self.moved else model
             added = np.sqrt(np.maximum((expected_line_power(rig, seen) - model.line_power)[:, column], 0.0))
             noise = floor_density(seen, model)[:, column]
             for index, segment in enumerate(seen.segments):
                 if segment.line_count[column] > 0:
-                    floor = segment.line_noise_bandwidth[column] * noise[index] + model.line_power[index, column]
+                    floor = segment.line_noise_bandwidth[column] * noise[index] + without.line_power[index, column]
                     size = float(np.sqrt(max(segment.line_power[column] - floor, 0.0)))
                     gains.append(float(added[index]))
                     ratios.append((float(added[index]), size))
@@ -234,32 +243,6 @@ class Context:
             return 0.0, 0.0
         ratios = sorted(lacks / added for added, lacks in powers if added > _REACHES**2 * largest)
         return float(np.sqrt(max(ratios[len(ratios) // 2], 0.0))), SHARE_OF_SIGNAL * self.signal / (2 * largest) ** 0.5
-
-
-def lacks(fit: Fit, data: Data, place: Place) -> bool:
-    """Return whether a model lacks a line: some segment shows more of it than a line of wrong size.
-
-    A part that was added for other lines may have made it too, as a side line. A line that no block shows is lacking
-    where the model has none of its frequency.
-    """
-    if not any(each.lines.count[:, column_of(each, place)].any() for each in data.seen if place in each.places):
-        return not any(_has_line(fit, each, place) for each in data.seen if place in each.places)
-    for seen, model in zip(data.seen, fit.expected, strict=True):
-        if place in seen.places:
-            at = column_of(seen, place)
-            noise = seen.lines.noise_bandwidth[:, at] * floor_density(seen, model)[:, at]
-            shown = seen.lines.count[:, at] > 0
-            measured, expected = seen.lines.power[shown, at], model.line_power[shown, at] + noise[shown]
-            if (measured > _LACKING * expected).any():
-                return True
-    return False
-
-
-def _has_line(fit: Fit, seen: RunFeatures, place: Place) -> bool:
-    """Return whether a model has a line of the frequency of a place in a run, as well as the run shows that."""
-    own, step = seen.line_frequency[:, seen.places.index(place)], 1 / seen.run.recording.duration
-    twin = Twin(fit.fitted_rig.at(seen.run.run))
-    return any(bool((np.abs(each.frequency - own) < step).any()) for each in rig_lines(twin, seen))
 
 
 @dataclass

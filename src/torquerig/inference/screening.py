@@ -18,7 +18,7 @@ from torquerig.inference.context import Context
 from torquerig.inference.fit import Data, Fit, all_residuals
 from torquerig.inference.knobs import turned
 from torquerig.inference.likelihood import log_density_of
-from torquerig.inference.one_number import MOVED, without_priors
+from torquerig.inference.one_number import stated_again, without_priors
 from torquerig.inference.prediction.expected_run import ExpectedRun, expected_run
 from torquerig.inference.slopes import after_step, gradient_of, hessian_of, stacked
 from torquerig.rig.assembly import Rig
@@ -59,7 +59,7 @@ def begins_at(fit: Fit, each: Addition) -> Floats:
 def _origins(context: Context, each: Addition) -> list[_Origin]:
     """Return where a step begins: at the fit, and with numbers that have moved far at their stated values."""
     fit, here = context.fit, begins_at(context.fit, each)
-    stated = np.where(np.abs(here) > MOVED, 0.0, here)
+    stated = np.where(here == fit.positions, stated_again(fit), here)
     rig = turned(fit.rig, fit.knobs, here) if each.stated else context.rig
     first = _Origin(rig, here)
     return [first] if (stated == here).all() else [first, _Origin(turned(fit.rig, fit.knobs, stated), stated)]

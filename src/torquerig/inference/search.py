@@ -13,14 +13,14 @@ from numpy.typing import NDArray
 from torquerig.errors import TorquerigError
 from torquerig.inference.addition import Addition
 from torquerig.inference.additions import proposals
-from torquerig.inference.context import Context, lacks
+from torquerig.inference.context import Context
 from torquerig.inference.discrepancy import log_prior
 from torquerig.inference.dropped import without_needless
 from torquerig.inference.features.line_search import FoundLine
 from torquerig.inference.fit import Data, Fit, finished, sketch_error, sketched
 from torquerig.inference.held_out import held_out_density
-from torquerig.inference.model import Model
-from torquerig.inference.one_number import FAR, MOVED
+from torquerig.inference.model import Model, lacks
+from torquerig.inference.one_number import FAR, MOVED, moved_lines
 from torquerig.inference.refitted import refitted
 from torquerig.inference.screening import begins_at, screened
 from torquerig.inference.undecided_lines import column_of
@@ -63,7 +63,9 @@ def searched(
 
 def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple[tuple[Addition, float], ...]]:
     """Return the model with the best addition, None where none wins; and what all proposals promised."""
-    context = Context(model.fit, data, tuple(line for line in model.lines if lacks(model.fit, data, line.place)))
+    moved = moved_lines(model.fit, data)
+    lacking = (line for line in model.lines if lacks(model.fit, data, line.place) and line.place not in moved)
+    context = Context(model.fit, data, (*(FoundLine(one, 0.0, 0.0) for one in moved), *lacking), frozenset(moved))
     taken = frozenset[str]().union(*(each.names for each in model.additions))
     free = [each for each in proposals(context) if not each.names & taken]
     gains = parallel_map(lambda each: screened(context, each), free)

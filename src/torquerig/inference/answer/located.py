@@ -13,11 +13,11 @@ from torquerig.inference.adequacy import Excess, JudgedRun
 from torquerig.inference.answer.course_axis import followed
 from torquerig.inference.answer.numbers import digits
 from torquerig.inference.answer.significant import significant
-from torquerig.inference.context import lacks
 from torquerig.inference.engine import Outcome
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.fit import Fit, all_residuals
 from torquerig.inference.likelihood import BAND, DEGREES_OF_FREEDOM, LEVEL, LINE, Residuals
+from torquerig.inference.model import lacks
 from torquerig.inference.places import Place
 from torquerig.inference.shafts import shafts_of
 from torquerig.inference.undecided_lines import column_of
