@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
+from tests.inference.benches import GEARED, bench
 from tests.inference.drawn_runs import drawn_run, ramp, steady
 from tests.inference.pump_bench import pump_scenario
+from torquerig.inference.answer.numbers import estimate
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.fit import Data, sketched
-from torquerig.inference.knobs import with_free_load
+from torquerig.inference.knobs import Knob, turned, with_free_load
 from torquerig.inference.parameters import parameters
 from torquerig.inference.places import order
 from torquerig.parallel import parallel_processes
@@ -38,3 +42,12 @@ def test_kept_answers_do_not_change_a_fit(case):
     again = sketched(*case, iterations=2)
     assert again.log_evidence == first.log_evidence
     assert np.array_equal(again.jacobian, first.jacobian)
+
+
+def test_no_number_goes_beyond_what_its_part_allows(tmp_path):
+    rig = bench(GEARED, tmp_path).rig
+    knob = Knob("gearbox", "efficiency", 0.01)  # 0.97 is stated, and no gear gives out more than it takes
+    beyond = np.array([9.0])
+    assert turned(rig, (knob,), beyond).part("gearbox").efficiency == 1.0
+    fit = SimpleNamespace(rig=rig, knobs=(knob,), positions=beyond, covariance=lambda: np.eye(1))
+    assert estimate(fit, 0, "1") == {"value": 1.0, "ci95": [1.0, 1.0], "unit": "1"}

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from math import exp
-from typing import Any
+from functools import cache
+from math import exp, inf
+from typing import Any, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.mechanisms import ParticleLoad, TorqueRipple
-from torquerig.parameter import Estimate
+from torquerig.parameter import Estimate, Parameter
 from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.numbers.tolerance import deviation
 
 LOAD_LEVEL_SPREAD = 0.05  # the mean load of a real rig is known to a few per cent (reference rig)
@@ -63,12 +64,23 @@ class Knob:
         return value * exp(self.spread * position) if self.factor else value + self.spread * position
 
 
+def highest(part: Part, field: str) -> float:
+    """Return the largest value that the class of a part allows for a number; infinity where it states none."""
+    return _highest(type(part), field)  # type: ignore[arg-type]  # mypy takes the class for one without a hash
+
+
+@cache
+def _highest(kind: type[Part], field: str) -> float:
+    hint = get_type_hints(kind, include_extras=True).get(field)
+    return next((one.high for one in getattr(hint, "__metadata__", ()) if isinstance(one, Parameter)), inf)
+
+
 def turned(rig: Rig, knobs: Sequence[Knob], positions: NDArray[np.float64]) -> Rig:
-    """Return the rig with every knob at its position."""
+    """Return the rig with every knob at its position, or at the largest value that its part allows."""
     changes: dict[str, dict[str, Any]] = {}
     for knob, position in zip(knobs, positions.tolist(), strict=True):
         fields = changes.setdefault(knob.part, {})
-        value = knob.turned(knob.value(rig), position)
+        value = min(knob.turned(knob.value(rig), position), highest(rig.part(knob.part), knob.field))
         if knob.key is None:
             fields[knob.field] = value
             continue
