@@ -31,7 +31,7 @@ def residuals_of_means(means: Fit, fit: Fit, held: Data, rig: Rig) -> list[Resid
     """Return the residuals of the means of one fit with the load and the discrepancy of another.
 
     ``rig`` is that of ``fit`` without its additions: a wave of unknown phase is in the covariance of mean torques, and
-    would be its own error there.
+    would count as an error of the model there.
     """
     expected = [expected_run(fit.fitted_rig, seen) for seen in held.seen]
     slopes = _open_slopes(fit, held, expected, all_residuals(held, expected, fit.gains, fit.off))

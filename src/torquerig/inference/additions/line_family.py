@@ -1,6 +1,6 @@
 """A nameless line and its multiples: a torque of constant amplitude on one of the shafts, whatever its cause.
 
-Or one line that swells: its amplitude changes with a period of its own, longer than a turn of any shaft. At one speed
+Or one line that swells: its amplitude changes with a period that is longer than a turn of any shaft. At one speed
 it shows as lines at equal distances on both sides of its order (amplitude modulation). Each of them alone looks like a
 tone of any cause; together they are one line.
 """

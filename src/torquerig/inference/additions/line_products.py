@@ -35,7 +35,7 @@ def propose(context: Context) -> Iterator[Addition]:
 def torques(
     context: Context, shaft: Shaft, places: Sequence[Place], *, name: str, label: str, log_odds: float
 ) -> Iterator[Addition]:
-    """Yield lines at found orders as torques on a shaft, each of its own size."""
+    """Yield lines at found orders as torques on a shaft, with independent sizes."""
     name, numbered = free_name(context.rig, name), dict(enumerate(places[:_MOST]))
 
     def ripple(amplitudes: dict[float, float]) -> mechanisms.TorqueRipple:
