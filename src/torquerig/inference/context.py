@@ -160,15 +160,15 @@ class Context:
         return [(skirts_of(Twin(self.rig.at(seen.run.run)), seen.run, ""), seen) for seen in self.data.seen]
 
     def smeared(self, orders: Iterable[float]) -> list[float]:
-        """Return the orders of the motor whose lines the sway spreads so far that no search finds them in any run.
+        """Return the orders of the motor whose lines the sway spreads in some run so far that no search finds them.
 
-        Those at which the rig has a line are left out.
+        In the other runs they may be too weak. Those at which the rig has a line are left out.
         """
         known = [line.order for line in Twin(self.rig.at(self.data.seen[0].run.run)).lines()]
         return [
             order for order in orders
             if all(abs(order - other) > self.order_error * order for other in known)
-            and all(smears(skirts, seen, order) for skirts, seen in self._skirts)
+            and any(smears(skirts, seen, order) for skirts, seen in self._skirts)
         ]  # fmt: skip
 
     def on_known_lines(self, orders: Iterable[float]) -> dict[float, Place]:
