@@ -68,9 +68,11 @@ def _line_features(twin: Twin, seen: RunFeatures) -> LineFeatures:
             share = np.maximum(share, 1 / (1 + np.square(apart / np.maximum(each.half_width, 1e-9))))
         skirts = kept_skirts(twin, seen, each.node) if each.follows and count else None
         if skirts is not None:
-            there = row, np.maximum(routes.place, 0)
-            kept = 1 - skirts.lost(each.frequency / turning, np.where(at, core[there], 0.0))
-            hole = np.where(at, excluded[there], 0.0)
+            own, hole = (
+                np.where(at, one[row, np.maximum(routes.place, 0)], 0.0) if places else np.zeros(at.shape)
+                for one in (core, excluded)
+            )
+            kept = 1 - skirts.lost(each.frequency / turning, own)
             density += density_of(skirts, seen, each.frequency, np.where(at | inside, 0.5 * each.square, 0.0), hole)
         if at.any():
             shown.append(_shown(each, routes, at, row[at] * places + routes.place[at], share * kept))
