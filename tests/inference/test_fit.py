@@ -10,13 +10,15 @@ import pytest
 from tests.inference.benches import GEARED, bench
 from tests.inference.drawn_runs import drawn_run, ramp, steady
 from tests.inference.pump_bench import pump_scenario
+from torquerig import mechanisms
 from torquerig.inference.answer.numbers import estimate
 from torquerig.inference.features.run_features import run_features
 from torquerig.inference.fit import Data, sketched
-from torquerig.inference.knobs import Knob, turned, with_free_load
+from torquerig.inference.knobs import Knob, declared, turned, with_free_load, within
 from torquerig.inference.parameters import parameters
 from torquerig.inference.places import order
 from torquerig.parallel import parallel_processes
+from torquerig.rig.parts import WormGear
 
 
 @pytest.fixture
@@ -51,3 +53,23 @@ def test_no_number_goes_beyond_what_its_part_allows(tmp_path):
     assert turned(rig, (knob,), beyond).part("gearbox").efficiency == 1.0
     fit = SimpleNamespace(rig=rig, knobs=(knob,), positions=beyond, covariance=lambda: np.eye(1))
     assert estimate(fit, 0, "1") == {"value": 1.0, "ci95": [1.0, 1.0], "unit": "1"}
+
+
+RIPPLE = mechanisms.TorqueRipple(name="x", at="pump", group="mechanical", amplitudes={2.0: 0.1})
+IMPACTS = mechanisms.BearingDefect(name="x", order_output=3.6, ring_frequency=300.0, amplitude=0.1)
+WORM = WormGear(
+    name="x", starts=1, wheel_teeth=40, lead_angle=0.1, forward_efficiency=0.7, stiffness=1e3, damping=1.0
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("part", "field", "value", "allowed", "unit"),
+    [
+        (RIPPLE, "amplitudes", 7.0, 7.0, "N*m"),
+        (WORM, "forward_efficiency", 1.2, 1.0, "1"),
+        (IMPACTS, "slip", -0.1, 0.0, "1"),
+    ],
+)
+def test_bounds_and_unit_are_those_of_the_declaration(part, field, value, allowed, unit):
+    assert within(part, field, value) == allowed
+    assert declared(part, field).unit == unit

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
-from math import exp, inf
-from typing import Any, get_type_hints
+from math import exp
+from typing import Any, get_args, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
@@ -64,23 +64,37 @@ class Knob:
         return value * exp(self.spread * position) if self.factor else value + self.spread * position
 
 
-def highest(part: Part, field: str) -> float:
-    """Return the largest value that the class of a part allows for a number; infinity where it states none."""
-    return _highest(type(part), field)  # type: ignore[arg-type]  # mypy takes the class for one without a hash
+def declared(part: Part, field: str) -> Parameter | None:
+    """Return how a part declares a number, or the entries of a mapping or tuple; None where it does not."""
+    return _declared(type(part), field)  # type: ignore[arg-type]  # mypy sees no hash of the class
 
 
 @cache
-def _highest(kind: type[Part], field: str) -> float:
-    hint = get_type_hints(kind, include_extras=True).get(field)
-    return next((one.high for one in getattr(hint, "__metadata__", ()) if isinstance(one, Parameter)), inf)
+def _declared(kind: type[Part], field: str) -> Parameter | None:
+    found = [*declarations(get_type_hints(kind, include_extras=True).get(field))]
+    return found[-1] if found else None  # of a mapping the values come last
+
+
+def declarations(hint: Any) -> Iterator[Parameter]:
+    """Yield the declarations inside of a type: of a number, and of the entries of a tuple or mapping."""
+    yield from (one for one in getattr(hint, "__metadata__", ()) if isinstance(one, Parameter))
+    for inner in get_args(hint):
+        if not isinstance(inner, Parameter):
+            yield from declarations(inner)
+
+
+def within(part: Part, field: str, value: float) -> float:
+    """Return a value, or the bound of the part's declaration that it is beyond."""
+    known = declared(part, field)
+    return value if known is None else min(max(value, known.low), known.high)
 
 
 def turned(rig: Rig, knobs: Sequence[Knob], positions: NDArray[np.float64]) -> Rig:
-    """Return the rig with every knob at its position, or at the largest value that its part allows."""
+    """Return the rig with every knob at its position, or at the bound of what its part allows."""
     changes: dict[str, dict[str, Any]] = {}
     for knob, position in zip(knobs, positions.tolist(), strict=True):
         fields = changes.setdefault(knob.part, {})
-        value = min(knob.turned(knob.value(rig), position), highest(rig.part(knob.part), knob.field))
+        value = within(rig.part(knob.part), knob.field, knob.turned(knob.value(rig), position))
         if knob.key is None:
             fields[knob.field] = value
             continue

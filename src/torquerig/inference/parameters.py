@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from math import sqrt
-from typing import Any, get_args, get_type_hints
+from typing import get_type_hints
 
 import numpy as np
 
-from torquerig.inference.knobs import Knob, nuisance_knobs
+from torquerig.inference.knobs import Knob, declarations, nuisance_knobs
 from torquerig.inference.measured_run import MeasuredRun
 from torquerig.inference.shared_orders import phases
-from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.model import Scenario
 
@@ -47,16 +46,8 @@ def _amplitude_fields(kind: type[Part]) -> tuple[str, ...]:
     hints = get_type_hints(kind, include_extras=True)
     return tuple(
         name for name, hint in hints.items()
-        if any(phrase in one.meaning for one in _declared(hint) for phrase in ("zero-to-peak", "zero to peak"))
+        if any(phrase in one.meaning for one in declarations(hint) for phrase in ("zero-to-peak", "zero to peak"))
     )  # fmt: skip
-
-
-def _declared(hint: Any) -> Iterator[Parameter]:
-    """Yield the declarations inside of a type: of a number, and of the entries of a tuple or mapping."""
-    yield from (one for one in getattr(hint, "__metadata__", ()) if isinstance(one, Parameter))
-    for inner in get_args(hint):
-        if not isinstance(inner, Parameter):
-            yield from _declared(inner)
 
 
 def _of_sensor(rig: Rig, runs: Sequence[MeasuredRun]) -> tuple[Knob, ...]:

@@ -186,7 +186,7 @@ def _explained(one: Model, fits: Sequence[Model]) -> frozenset[str]:
     return frozenset(knob.name for knob, position in at if abs(position) < FAR) & numbers - one.additions[-1].names
 
 
-def _stated_again(before: Fit, after: Fit) -> frozenset[str]:
+def _brought_back(before: Fit, after: Fit) -> frozenset[str]:
     """Return the numbers that have moved far in one fit and are near their stated values in another."""
     far = {knob.name for knob, at in zip(before.knobs, before.positions.tolist(), strict=True) if abs(at) > MOVED}
     near = {knob.name for knob, at in zip(after.knobs, after.positions.tolist(), strict=True) if abs(at) < FAR}
@@ -202,7 +202,7 @@ def _compared(fit: Fit, one: Model, data: Data, held: Data, before: float, *, fi
     where they make numbers stated ones again that had moved far.
     """
     each = one.additions[-1]
-    moved = _stated_again(fit, one.fit) if each.parts else each.names | _explained(one, fits)
+    moved = _brought_back(fit, one.fit) if each.parts else each.names | _explained(one, fits)
     if not moved:
         return before
     stated = refitted(fit, data, keeps=lambda knob: knob.name not in moved)

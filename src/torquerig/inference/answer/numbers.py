@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from torquerig.inference.fit import Fit
-from torquerig.inference.knobs import highest
+from torquerig.inference.knobs import within
 
 MOST_SURE = 0.99  # no set of hypotheses is complete
 TWO_SIDED = 1.96  # standard deviations of half a 95 % interval
@@ -22,7 +22,7 @@ def estimate(fit: Fit, column: int, unit: str) -> dict[str, Any]:
     """Return a fitted parameter with its 95 % interval, by the covariance of the posterior."""
     knob, position = fit.knobs[column], float(fit.positions[column])
     half = TWO_SIDED * float(np.sqrt(fit.covariance()[column, column]))
-    median, most = knob.value(fit.rig), highest(fit.rig.part(knob.part), knob.field)
-    low, value, high = (min(knob.turned(median, position + way * half), most) for way in (-1, 0, 1))
+    part, median = fit.rig.part(knob.part), knob.value(fit.rig)
+    low, value, high = (within(part, knob.field, knob.turned(median, position + way * half)) for way in (-1, 0, 1))
     ends = sorted((low, high))
     return {"value": digits(value), "ci95": [digits(end) for end in ends], "unit": unit}

@@ -9,7 +9,7 @@ from torquerig.inference.answer.confidence import ALIKE, alternatives, confidenc
 from torquerig.inference.answer.numbers import MOST_SURE, digits, estimate
 from torquerig.inference.engine import Outcome
 from torquerig.inference.fit import Fit
-from torquerig.inference.knobs import Knob
+from torquerig.inference.knobs import Knob, declared
 from torquerig.inference.readings import SetupFault
 
 _SAME_TERM = {"coulomb": "stribeck_friction"}  # fields whose torque a mechanism adds: more of it is either of the two
@@ -55,7 +55,7 @@ def number_answer(outcome: Outcome, each: Addition) -> dict[str, Any]:
         "confidence": round(confidence(outcome, each), 3),
         "equivalent_to": sorted(({_kind_of(other) for other in near} | same) - {_kind_of(each)}),
         "explanation": f"The recordings fit if {knob.name} is {estimated['value']:g} instead of "
-        f"{stated:.4g} {estimated['unit']}.{instead}",
+        f"{stated:.4g}{'' if estimated['unit'] == '1' else ' ' + estimated['unit']}.{instead}",
     }  # fmt: skip
 
 
@@ -65,10 +65,5 @@ def _kind_of(each: Addition) -> str:
 
 def _unit_of(fit: Fit, knob: Knob) -> str:
     """Return the unit in which the class of a part declares a field."""
-    from typing import get_type_hints
-
-    from torquerig.parameter import Parameter
-
-    hint = get_type_hints(type(fit.nominal.part(knob.part)), include_extras=True).get(knob.field)
-    declared = [one for one in getattr(hint, "__metadata__", ()) if isinstance(one, Parameter)]
-    return declared[0].unit if declared else "1"
+    known = declared(fit.nominal.part(knob.part), knob.field)
+    return known.unit if known else "1"
