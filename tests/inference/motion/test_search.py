@@ -49,3 +49,22 @@ def test_held_out_data_count_against_an_alternative_and_not_for_it() -> None:
                          (("friction", 50.0), ("mode", 52.0), ("line by direction", 20.0)))  # fmt: skip
     density = {id(kept): 0.0, id(worse): -30.0, id(free): 100.0}
     assert [search._gap(kept, other, density) for other in (worse, free)] == [28.0, 30.0]
+
+
+@pytest.mark.parametrize(("square", "kept"), [(0.3, "friction"), (0.6, "course")])
+def test_a_mechanism_that_predicts_most_is_not_replaced_by_sizes_of_each_run(
+    monkeypatch: pytest.MonkeyPatch, square: float, kept: str
+) -> None:
+    """A course that each run must be given is likelier than any law and says nothing about the next run."""
+    monkeypatch.setattr(search, "held_out", lambda fit: SimpleNamespace(log_density=fit.density, square=fit.square))
+    friction = Hypothesis(name="friction", label="friction", mechanism="stribeck_friction")
+    course = tried("course", odds=90.0, density=40.0, square=0.1)
+    course = replace(course, hypothesis=replace(course.hypothesis, local=True))
+    monkeypatch.setattr(search, "_tried", lambda _: iter([course]))
+    model: Any = SimpleNamespace(minus=lambda _: None, additions=())
+    less: Any = SimpleNamespace(log_odds=0.0, model=model, density=0.0, square=1.0)
+    monkeypatch.setattr(search, "fitted", lambda made, *_, **__: less if made is None else None)
+    fit: Any = SimpleNamespace(log_odds=50.0, model=model, runs=(), density=20.0, square=square)
+    course.fit.model = model
+    _, step = search._in_place(fit, friction)
+    assert step.kept.hypothesis.name == kept

@@ -25,6 +25,7 @@ STEPS = 8  # of a proposal with simulated parameters in each stage, before it is
 LEAST_GAIN, LEAST_HELD_OUT = 8.0, 3.0  # [nats] of a mechanism, as of torquerig.inference.search
 WORSE = 1.02  # of the mean square of held-out residuals, 1 % of their rms: more is no improvement in N m
 LEAST_OTHER, LEAST_HELD_OUT_OTHER = 3.0, 1.0  # [nats] of an effect without a name
+MOST = 0.5  # of the mean square of held-out residuals: a mechanism that predicts more is not a matter of single runs
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,16 +174,21 @@ def _without_needless(fit: Fit, last: str) -> Fit:
 
 
 def _in_place(fit: Fit, each: Hypothesis) -> tuple[Fit, Step]:
-    """Return the fit and the step of an addition, compared with all others in its place; the best one is kept."""
+    """Return the fit and the step of an addition, compared with all others in its place; the best one is kept.
+
+    A mechanism that predicts most of the held-out residual is not replaced by sizes that each run must be given.
+    """
     less = fitted(fit.model.minus(each.name), fit.runs, after=fit)
     if less is None:
         return fit, Step(Tried(each, fit), 0.0, ())
     tried = sorted(_tried(less), key=lambda one: -one.log_odds)
     present = {one.name for one in less.model.additions}
+    stays = each.is_named and _predicts_most(fit, less)
     instead = [
         one for one in tried
         if one.hypothesis.name not in present
         and (one.hypothesis.name, one.hypothesis.variant) != (each.name, each.variant)
+        and not (stays and one.hypothesis.local)
     ]  # fmt: skip
     full = [
         Tried(one.hypothesis, fitted(one.fit.model, fit.runs, after=one.fit) or one.fit) for one in instead[:FITTED]
@@ -199,6 +205,12 @@ def _in_place(fit: Fit, each: Hypothesis) -> tuple[Fit, Step]:
     ]  # fmt: skip
     others = sorted(behind, key=lambda pair: pair[1])
     return kept.fit, Step(kept, kept.log_odds - less.log_odds, tuple(others))
+
+
+def _predicts_most(fit: Fit, less: Fit) -> bool:
+    """Return whether a fit predicts most of the held-out residual of a smaller one."""
+    after, before = held_out(fit), held_out(less)
+    return after is not None and before is not None and after.square < MOST * before.square
 
 
 def _gap(kept: Tried, other: Tried, density: Mapping[int, float]) -> float:
