@@ -19,6 +19,7 @@ from torquerig.inference.own_features import refuted
 from torquerig.inference.parameters import parameters
 from torquerig.inference.places import Place, order
 from torquerig.inference.readings import SET_POINT_ERROR, Reading, SetupFault, best_reading
+from torquerig.inference.readings.volts import in_volts
 from torquerig.inference.rig_under_test import check_recordings, check_rig
 from torquerig.inference.sample_faults import on_few_codes, rounding_step, sample_faults, usable_runs
 from torquerig.inference.search import searched
@@ -166,6 +167,7 @@ def prepared(
             )
     rig = with_phases(with_free_load(scenario.rig.at(recordings[0].run)))
     progress("looking for faults of the samples")
+    recordings = [in_volts(each, rig) for each in recordings]
     shown = samples_as_compared(recordings, rig, sample_faults(recordings, rig))
     faults = shown.faults
     rig = faults.added_to(rig)

@@ -5,6 +5,7 @@ reading          runs, features and fit of a reading, and its faults
 sensor_scale     another scale of the sensor          sensor_sign   the other sense
 clock            another sample rate, other counts, other set-points     induction_slip
 other_teeth      another pair of teeth in a stage     teeth         the pairs of a rig
+volts            a recording in the sensor's volts, whatever its unit
 order_comb       how well lines at given orders agree with whole runs
 """
 
