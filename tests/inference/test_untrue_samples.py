@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from tests.inference.pump_bench import pump_scenario, recorded
+from torquerig import mechanisms
 from torquerig.inference.answer.located import fault_place
 from torquerig.inference.answer.verdict import verdict
 from torquerig.inference.sample_faults import sample_faults
@@ -70,6 +71,23 @@ def test_moments_without_a_signal_are_stated_with_their_share(pump):
     assert [each.mechanism for each in made.faults.additions] == ["signal_dropout"]
     (sentence,) = made.sentences
     assert sentence.startswith("run1.parquet: 10 moments without a signal, 2.5 % of the samples, were interpolated")
+
+
+def test_what_the_library_cannot_name_is_a_fault_of_the_samples(pump, monkeypatch):
+    """A library without dropouts: the moments are still bridged, and the verdict is not ``adequate``."""
+    rig, runs = pump
+    monkeypatch.delattr(mechanisms, "SignalDropout")
+
+    def drop(volts):
+        for start in range(1000, 11000, 1000):
+            volts[start : start + 30] = 0.0
+
+    made = shown(rig, [with_samples(runs[0], drop), runs[1]])
+    assert made.faults.additions == ()
+    (fault,) = made.untrue
+    assert fault.recording == "run1.parquet"
+    assert fault.place.at == pytest.approx(0.5)
+    assert made.faults.lost[0].sum() >= 300
 
 
 def test_samples_at_a_limit_are_stated(pump):

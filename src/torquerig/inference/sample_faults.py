@@ -62,6 +62,8 @@ class SampleFaults:
         Without parameters that are fitted.
     coarser : float
         Step of the codes over that of the converter [1]; 1 where they are the converter's.
+    nameless : tuple of str
+        Which of ``NAMES`` were found and are no mechanism of this library.
     """
 
     recordings: tuple[Recording, ...]
@@ -69,6 +71,7 @@ class SampleFaults:
     lost: tuple[NDArray[np.bool_], ...]
     additions: tuple[Addition, ...]
     coarser: float = 1.0
+    nameless: tuple[str, ...] = ()
 
     def without_scaled_codes(self, scales: Iterable[float]) -> tuple[Addition, ...]:
         """Return the faults without codes that are coarse because the reading has another scale than stated."""
@@ -85,27 +88,29 @@ class SampleFaults:
 def sample_faults(recordings: Sequence[Recording], rig: Rig) -> SampleFaults:
     """Return what the samples of recordings of one rig show that the rig does not have."""
     full, step = converter_of(rig)
-    found = list[Addition]()
+    found = dict[str, Addition]()
     coarse = None if rig.of_kind("quantization") else _codes(recordings, rig, step)
-    found += [] if coarse is None else [coarse[0]]
+    if coarse is not None:
+        found["quantization"] = coarse[0]
     code = step if coarse is None else coarse[1]
     lost = [gaps(each.torque_values(), each.sample_rate) for each in recordings]
     dropouts = None if rig.of_kind("signal_dropout") else _dropouts(recordings, rig, lost)
     if dropouts is not None:
-        found.append(dropouts)
+        found["signal_dropout"] = dropouts
         recordings = [bridged(each, [gap[:2] for gap in own]) for each, own in zip(recordings, lost, strict=True)]
     limit = None if rig.of_kind("clipping") else _limit(recordings, rig, full, code, coarse=coarse is not None)
     unusable = tuple(np.zeros(each.samples, dtype=bool) for each in recordings)
     if limit is not None:
-        found.append(limit[0])
+        found["clipping"] = limit[0]
         stuck = [at_limit(each, limit=limit[1]) for each in recordings]
         unusable = tuple(each if too_long(each) else np.zeros_like(each) for each in stuck)
         recordings = tuple(rebuilt(each, limit=limit[1]) for each in recordings)
     empty = tuple(
         covered(own if dropouts is not None else (), each.samples) for each, own in zip(recordings, lost, strict=True)
     )
-    named = tuple(each for each in found if each.is_named)
-    return SampleFaults(tuple(recordings), unusable, empty, named, 1.0 if coarse is None else code / step)
+    named = tuple(each for each in found.values() if each.is_named)
+    nameless = tuple(name for name, each in found.items() if not each.is_named)
+    return SampleFaults(tuple(recordings), unusable, empty, named, 1.0 if coarse is None else code / step, nameless)
 
 
 def converter_of(rig: Rig) -> tuple[float, float]:

@@ -55,7 +55,8 @@ def samples_as_compared(recordings: Sequence[Recording], rig: Rig, faults: Sampl
     """
     seen = _examined(recordings, rig)
     stuck = {each.name for each, flags in zip(recordings, faults.unusable, strict=True) if flags.any()}
-    untrue = tuple(fault for fault in seen.faults if fault.mechanism is None and fault.recording not in stuck)
+    unknown = {None, *faults.nameless}
+    untrue = tuple(fault for fault in seen.faults if fault.mechanism in unknown and fault.recording not in stuck)
     shown = {fault.recording for fault in untrue}
     repaired, lost = [], []
     for row, recording in enumerate(recordings):
