@@ -16,6 +16,7 @@ from proof.referee.making import BACKWARDS, RECORDINGS
 
 DIAGNOSES, REFUSED, COSTS, REDUCED = "diagnoses", "refused", "costs", "reduced"
 CHECKOUT = Path(__file__).resolve().parents[2]
+SAME_NAME = {"gear_mesh": ("gear_mesh", "tooth_mesh")}  # files whose findings have one name in the contract
 
 
 @dataclass(frozen=True)
@@ -81,7 +82,7 @@ def diagnosed(job: DiagnoseJob) -> str:
 
 
 def reduced_checkout(out: Path, mechanism: str) -> Path:
-    """Return a copy of the program without the file of a mechanism; made once."""
+    """Return a copy of the program without the files that give a mechanism's name; made once."""
     where = out / REDUCED / mechanism
     package = where / "src" / "torquerig"
     if not package.is_dir():
@@ -91,7 +92,8 @@ def reduced_checkout(out: Path, mechanism: str) -> Path:
         )
         for folder in ("catalogs", "scenarios"):
             shutil.copytree(CHECKOUT / folder, partial / folder)
-        (partial / "src" / "torquerig" / "mechanisms" / f"{mechanism}.py").unlink()
+        for file in SAME_NAME.get(mechanism, (mechanism,)):
+            (partial / "src" / "torquerig" / "mechanisms" / f"{file}.py").unlink()
         try:
             partial.rename(where)
         except OSError:  # another worker was first

@@ -131,6 +131,8 @@ def test_the_program_without_a_file_lacks_the_mechanism_and_still_reads(tmp_path
     assert (where / "src" / "torquerig" / "mechanisms" / "gear_mesh.py").is_file()
     assert (where / "catalogs").is_dir()
     assert reduced_checkout(tmp_path, "blade_pass") == where
+    left = reduced_checkout(tmp_path, "gear_mesh") / "src" / "torquerig" / "mechanisms"
+    assert not {"gear_mesh.py", "tooth_mesh.py"} & {each.name for each in left.iterdir()}
 
 
 def test_parts_of_sets_are_stratified_and_nested():
