@@ -68,7 +68,7 @@ def _free(places: Iterator[Place], runs: Sequence[MeasuredRun], known: Sequence[
     """Yield the places that a run can show apart from all known and earlier ones."""
     taken = list(known)
     for place in places:
-        if place not in taken and any(_is_free(place, run, taken) for run in runs):
+        if place not in taken and any(_is_free(place, run, taken) for run in runs if run.blocks):
             taken.append(place)
             yield place
 
