@@ -108,14 +108,16 @@ def test_untrue_samples_leave_no_verdict_but_unexplained_and_are_located(pump):
     assert (place["width"], place["recordings"]) == (pytest.approx(0.04), ["run1.parquet"])
 
 
-@pytest.mark.parametrize(("stated", "said"), [(1.0, 0), (1.02, 0), (1.3, 1)])
+@pytest.mark.parametrize(("stated", "said"), [(1.0, 0), (1.014, 0), (1.02, 1), (1.3, 1)])
 def test_a_sidecar_of_another_speed_is_stated(stated, said):
     run = SimpleNamespace(name="run1.parquet", is_steady=True, has_encoder=True, speed_factor=1.0, mean_speed=100.0,
                           run=SimpleNamespace(speed=100.0 * stated))  # fmt: skip
     sentences = [*off_set_points([run], error=0.01)]
     assert len(sentences) == said
     if said:
-        assert "the sidecar states 1241 rpm, but its measured angle shows 955 rpm" in sentences[0]
+        rpm = 100 * stated * 30 / np.pi
+        assert f"the sidecar states {rpm:.4g} rpm, but its measured angle shows 954.9 rpm" in sentences[0]
+        assert "sample_rate_Hz, the counts per turn and the set-point" in sentences[0]
     assert not [*off_set_points([replace_steady(run)], error=0.01)]
 
 

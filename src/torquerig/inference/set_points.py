@@ -7,7 +7,7 @@ from math import pi
 
 from torquerig.inference.measured_run import MeasuredRun
 
-_TWO_SPEEDS = 3.0  # largest errors of a set-point, beyond which the sidecar and the recording have two speeds
+_BEYOND = 1.5  # largest errors of a set-point: a drive that is further off is not the one of the data sheet
 
 
 def off_set_points(runs: Sequence[MeasuredRun], *, error: float) -> Iterator[str]:
@@ -22,12 +22,12 @@ def off_set_points(runs: Sequence[MeasuredRun], *, error: float) -> Iterator[str
     """
     for run in runs:
         stated, real = abs((run.run.speed or 0.0) / run.speed_factor), run.mean_speed
-        if not (run.is_steady and stated) or abs(real / stated - 1) <= _TWO_SPEEDS * error:
+        if not (run.is_steady and stated) or abs(real / stated - 1) <= _BEYOND * error:
             continue
         rpm, said = real * 30 / pi, stated * 30 / pi
         evidence = "its measured angle shows" if run.has_encoder else "the lines of its torque fit"
-        remedy = ", or the counts per turn" if run.has_encoder else ""
+        counts = ", the counts per turn" if run.has_encoder else ""
         yield (
-            f"{run.name}: the sidecar states {said:.0f} rpm, but {evidence} {rpm:.0f} rpm. The diagnosis uses the "
-            f"latter. Correct the sidecar{remedy}."
+            f"{run.name}: the sidecar states {said:.4g} rpm, but {evidence} {rpm:.4g} rpm; the set-point may be off by "
+            f"{100 * error:.3g} %. The diagnosis uses the latter. Check sample_rate_Hz{counts} and the set-point."
         )
