@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
+import numpy as np
 import pytest
 
 from tests.inference.pump_bench import pump_scenario, recorded
 from torquerig.inference.engine import prepared
+from torquerig.inference.readings import sensor_sign
 
 
 @pytest.fixture(scope="module")
@@ -26,3 +30,21 @@ def test_a_zero_that_turns_the_sign_of_all_means_is_no_other_sign(bench, factor,
     scenario, recordings = bench
     found = prepared(scenario, changed(recordings, factor, shift))
     assert [fault.kind for fault in found.setup] == kinds
+
+
+def test_a_zero_that_the_fit_has_moved_does_not_hide_the_sign(monkeypatch):
+    """It moves until all mean torques have the measured sign; they then fall where the load rises."""
+    rig, fitted = (SimpleNamespace(measured="sensor", part=lambda _, z=zero: SimpleNamespace(zero=z))
+                   for zero in (0.0, -2.0))  # fmt: skip
+    run = SimpleNamespace(name="run1", torque=np.ones(3))
+    seen = SimpleNamespace(run=run, level=np.array([-1.2, -1.2, -2.9]))
+    expected = SimpleNamespace(level=np.array([-1.1, -1.1, -0.2]))
+    fit = SimpleNamespace(expected=[expected], fitted_rig=fitted, knobs=(), log_evidence=0.0)
+    monkeypatch.setattr(sensor_sign, "sketched_like", lambda *_: SimpleNamespace(log_evidence=100.0))
+    monkeypatch.setattr(sensor_sign, "gain_of", lambda again, fit: again.log_evidence - fit.log_evidence)
+    monkeypatch.setattr(sensor_sign, "replace", lambda one, **changed: SimpleNamespace(**(vars(one) | changed)))
+    reading = SimpleNamespace(runs=(run,), data=SimpleNamespace(seen=(seen,)), fit=fit, faults=())
+    found = sensor_sign.other_sign(reading, rig)
+    assert [fault.kind for fault in found.faults] == ["sensor_sign"]
+    fit.fitted_rig = rig  # mean torques that are below zero without a moved zero
+    assert sensor_sign.other_sign(reading, rig) is reading

@@ -23,7 +23,7 @@ _SIGN_MATTERS = 3  # levels at least, with a mean that exceeds their scatter
 def other_sign(reading: Reading, rig: Rig) -> Reading:
     """Return the reading with the torque of the other sign where all mean torques have it."""
     measured = np.concatenate([seen.level for seen in reading.data.seen])
-    expected = np.concatenate([each.level for each in reading.fit.expected])
+    expected = np.concatenate([each.level for each in reading.fit.expected]) - _moved_zero(reading, rig)
     tells = measured.size >= _SIGN_MATTERS and abs(expected.mean()) > expected.std() / np.sqrt(expected.size)
     if not tells or float(measured @ expected) >= 0:
         return reading
@@ -46,6 +46,12 @@ def other_sign(reading: Reading, rig: Rig) -> Reading:
     return Reading(runs, data, again, (fault, *reading.faults))
 
 
+def _moved_zero(reading: Reading, rig: Rig) -> float:
+    """Return by how much the fit has moved the zero [N m]: one that is not known follows a turned sign."""
+    fitted, stated = (getattr(each.part(rig.measured), "zero", 0.0) for each in (reading.fit.fitted_rig, rig))
+    return float(fitted - stated)
+
+
 def _with_another_zero(reading: Reading, rig: Rig, measured: Floats, expected: Floats) -> float:
     """Return the evidence [nats] with a zero that nobody set: it turns the sign of all mean torques too."""
     fit = reading.fit
@@ -53,7 +59,8 @@ def _with_another_zero(reading: Reading, rig: Rig, measured: Floats, expected: F
     if not columns:
         return -np.inf
     wide = _OF_RANGE * float(np.abs(measured).max())
-    knob = columns[0], replace(fit.knobs[columns[0]], spread=wide), float((measured - expected).mean()) / wide
+    zero = float((measured - expected).mean())
+    knob = columns[0], replace(fit.knobs[columns[0]], spread=wide), zero / wide
     return sketched_like(fit, reading.data, knob=knob).log_evidence
 
 
