@@ -7,9 +7,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from tests.inference.pump_bench import pump_scenario, recorded
+from tests.inference.pump_bench import pump_scenario, recorded, simulated
 from torquerig.inference.engine import prepared
 from torquerig.inference.readings import sensor_sign
+from torquerig.recordings.recording import Channel
+
+COUNTS = 4096
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +39,7 @@ def test_a_zero_that_the_fit_has_moved_does_not_hide_the_sign(monkeypatch):
     """It moves until all mean torques have the measured sign; they then fall where the load rises."""
     rig, fitted = (SimpleNamespace(measured="sensor", part=lambda _, z=zero: SimpleNamespace(zero=z))
                    for zero in (0.0, -2.0))  # fmt: skip
-    run = SimpleNamespace(name="run1", torque=np.ones(3))
+    run = SimpleNamespace(name="run1", torque=np.ones(3), speed_factor=1.0)
     seen = SimpleNamespace(run=run, level=np.array([-1.2, -1.2, -2.9]))
     expected = SimpleNamespace(level=np.array([-1.1, -1.1, -0.2]))
     fit = SimpleNamespace(expected=[expected], fitted_rig=fitted, knobs=(), log_evidence=0.0)
@@ -48,3 +51,19 @@ def test_a_zero_that_the_fit_has_moved_does_not_hide_the_sign(monkeypatch):
     assert [fault.kind for fault in found.faults] == ["sensor_sign"]
     fit.fitted_rig = rig  # mean torques that are below zero without a moved zero
     assert sensor_sign.other_sign(reading, rig) is reading
+
+
+@pytest.mark.long
+def test_an_encoder_that_turns_against_the_set_points_counts_backwards(bench):
+    """The torque agrees with the set-points: a sensor of the other sense would need a set-point without its sign."""
+    scenario, _ = bench
+    per_count = -2 * np.pi / COUNTS
+    backwards = [
+        one.without_truth().with_channel("count", Channel(
+            values=np.round(one.channels[str(one.find("motor_angle", truth=True))].in_si() / per_count),
+            quantity="motor_angle", unit="count", si_per_unit=-per_count))
+        for one in simulated(scenario)
+    ]  # fmt: skip
+    (fault,) = prepared(scenario, backwards).setup
+    assert (fault.kind, fault.of, fault.equivalent_to) == ("counts_per_rev", "encoder", ("sensor_sign",))
+    assert (fault.stated, fault.estimated) == (COUNTS, -COUNTS)

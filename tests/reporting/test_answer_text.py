@@ -76,3 +76,13 @@ def test_a_long_answer_keeps_its_end_and_says_where_the_others_are() -> None:
 )
 def test_a_nameless_effect_has_a_place_only_where_it_is_at_one(kind, axis, at, wanted):
     assert nameless_text({"kind": kind, "axis": axis, "at": at}) == wanted
+
+
+def test_a_fact_without_an_interval_and_what_looks_the_same() -> None:
+    value = {"value": -16384.0, "ci95": [-16384.0, -16384.0], "unit": "1/rev"}
+    fact = {"kind": "counts_per_rev", "of": "encoder", "stated": 16384.0, "estimated": value, "confidence": 0.99,
+            "equivalent_to": ["sensor_sign"]}  # fmt: skip
+    lines = answer_lines(diagnosis(setup=[fact]), verdict="x")
+    assert (
+        "- counts per rev of encoder: stated 16384.0, estimated -16384 1/rev; 99 % sure; the same could be sensor sign"
+    ) in lines

@@ -71,10 +71,10 @@ def rescaled(runs: Sequence[MeasuredRun], of: Factor) -> Iterator[tuple[tuple[Me
             "and the frequencies of the rig then agree with the scenario.",
         ),
     )  # fmt: skip
-    counts = _counts(runs[0])
+    counts = counts_of(runs[0])
     if counts and all(run.has_encoder for run in runs):
         yield (
-            tuple(_at_counts(run, factor) for run in runs),
+            tuple(_atcounts_of(run, factor) for run in runs),
             SetupFault(
                 kind="counts_per_rev", of="encoder", stated=counts, estimated=counts * factor, unit="1/rev",
                 equivalent_to=(), interval=of.around(counts * factor),
@@ -84,7 +84,7 @@ def rescaled(runs: Sequence[MeasuredRun], of: Factor) -> Iterator[tuple[tuple[Me
         )  # fmt: skip
 
 
-def _counts(run: MeasuredRun) -> float | None:
+def counts_of(run: MeasuredRun) -> float | None:
     """Return the stated counts per turn of the encoder; None where no channel counts."""
     counted = (channel for channel in run.recording.channels.values() if channel.unit == "count")
     return next((2 * pi / abs(channel.si_per_unit) for channel in counted if channel.si_per_unit), None)
@@ -96,7 +96,7 @@ def _at_rate(run: MeasuredRun, rate: float) -> MeasuredRun:
     return replace(held, recording=replace(held.recording, sample_rate=rate), speed=run.speed * faster)
 
 
-def _at_counts(run: MeasuredRun, factor: float) -> MeasuredRun:
+def _atcounts_of(run: MeasuredRun, factor: float) -> MeasuredRun:
     held = _with_speed(run, run.speed_factor / factor)
     return replace(held, angle=run.angle / factor, speed=run.speed / factor)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from math import log
 
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 
 from torquerig.inference.features.run_features import RunFeatures
 from torquerig.inference.measured_run import MeasuredRun
+from torquerig.inference.readings.clock import counts_of
 from torquerig.inference.readings.reading import CLEARLY, Reading, SetupFault, gain_of, sketched_like
 from torquerig.rig.assembly import Rig
 
@@ -37,13 +39,26 @@ def other_sign(reading: Reading, rig: Rig) -> Reading:
     ahead = again.log_evidence - _with_another_zero(reading, rig, measured, expected)
     if ahead < 0:
         return reading
-    fault = SetupFault(
-        kind="sensor_sign", of=rig.measured, stated=1.0, estimated=-1.0, unit="1",
-        equivalent_to=("sensor_zero",) if ahead < _ALIKE else (),
-        explanation=f"The sensor {rig.measured} reads with the other sign than the scenario states: it is mounted the "
+    fault = _fault(reading.runs, rig.measured, alike=ahead < _ALIKE)
+    return Reading(runs, data, again, (fault, *reading.faults))
+
+
+def _fault(runs: Sequence[MeasuredRun], sensor: str, *, alike: bool) -> SetupFault:
+    """Return which sense is the other one: the encoder's where it turns against all set-points, else the sensor's."""
+    if all(run.speed_factor < 0 for run in runs):
+        counts = counts_of(runs[0]) or 1.0
+        return SetupFault(
+            kind="counts_per_rev", of="encoder", stated=counts, estimated=-counts, unit="1/rev",
+            equivalent_to=("sensor_sign",),
+            explanation="The encoder counts backwards: its angle turns against the set-points, and the torque agrees "
+            "with the set-points. A set-point without its sign and a sensor of the other sense look the same.",
+        )  # fmt: skip
+    return SetupFault(
+        kind="sensor_sign", of=sensor, stated=1.0, estimated=-1.0, unit="1",
+        equivalent_to=("sensor_zero",) if alike else (),
+        explanation=f"The sensor {sensor} reads with the other sign than the scenario states: it is mounted the "
         "other way round, or its cable is.",
     )  # fmt: skip
-    return Reading(runs, data, again, (fault, *reading.faults))
 
 
 def _moved_zero(reading: Reading, rig: Rig) -> float:

@@ -66,8 +66,10 @@ def _residual(data: Mapping[str, Any]) -> str:
 
 def _details(data: Mapping[str, Any]) -> Iterator[str]:
     for one in data.get("setup", ()):
-        value = one["estimated"]
-        yield (f"- {fact_text(one)}: stated {one['stated']}, estimated {_value(value)}; {_sure(one)} sure")
+        alike = " or ".join(map(mechanism_text, one.get("equivalent_to", ())))
+        also = f"; the same could be {alike}" if alike else ""
+        ends = f"stated {one['stated']}, estimated {_value(one['estimated'])}"
+        yield f"- {fact_text(one)}: {ends}; {_sure(one)} sure{also}"
     for one in data["findings"]:
         parameters = ", ".join(f"{name} {_value(value)}" for name, value in one["parameters"].items())
         yield f"- {mechanism_text(one['mechanism'])}, {_sure(one)} sure: {parameters or 'no parameter'}"
@@ -90,6 +92,8 @@ def nameless_text(one: Mapping[str, Any]) -> str:
 def _value(value: Mapping[str, Any]) -> str:
     unit = "" if value["unit"] in ("1", "") else f" {value['unit'].replace('*', ' ')}"
     low, high = value["ci95"]
+    if low == high:
+        return f"{plain(value['value'], 5)}{unit}"
     return f"{plain(value['value'])} ({plain(low)} to {plain(high)}){unit}"
 
 
