@@ -19,6 +19,7 @@ from torquerig.inference.own_features import refuted
 from torquerig.inference.parameters import parameters
 from torquerig.inference.places import Place, order
 from torquerig.inference.readings import SET_POINT_ERROR, Reading, SetupFault, best_reading
+from torquerig.inference.readings.conditions import with_measured_course, with_occupancy
 from torquerig.inference.readings.volts import in_volts
 from torquerig.inference.rig_under_test import check_recordings, check_rig
 from torquerig.inference.sample_faults import on_few_codes, rounding_step, sample_faults, usable_runs
@@ -165,6 +166,8 @@ def prepared(
                 f"{recording.name}: {recording.duration:.2f} s are too short for a diagnosis; record at least "
                 f"{SHORTEST:g} s, better 12 s"
             )
+    recordings, unstated = with_occupancy(recordings, scenario.rig)
+    recordings, moving = with_measured_course(recordings, scenario.rig)
     rig = with_phases(with_free_load(scenario.rig.at(recordings[0].run)))
     progress("looking for faults of the samples")
     recordings = [in_volts(each, rig) for each in recordings]
@@ -203,7 +206,7 @@ def prepared(
     samples = faults.without_scaled_codes(each.estimated for each in reading.faults if each.kind == "sensor_scale")
     return Prepared(
         reading.runs, known, reading.data, reading.fit, stated, reading.faults, samples, judged, shown.untrue,
-        (*shown.sentences, *on_few_codes(runs, step=rounding_step(rig)), *off),
+        (*unstated, *moving, *shown.sentences, *on_few_codes(runs, step=rounding_step(rig)), *off),
     )  # fmt: skip
 
 

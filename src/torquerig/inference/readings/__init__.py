@@ -6,6 +6,7 @@ sensor_scale     another scale of the sensor          sensor_sign   the other se
 clock            another sample rate, other counts, other set-points     induction_slip
 other_teeth      another pair of teeth in a stage     teeth         the pairs of a rig
 volts            a recording in the sensor's volts, whatever its unit
+conditions       what a sidecar does not state of a run: occupancy, course of the speed
 order_comb       how well lines at given orders agree with whole runs
 """
 
