@@ -57,6 +57,13 @@ def test_a_run_whose_measured_speed_changes_is_not_steady(pump, share, profile):
         assert "the measured speed goes from" in said[0]
 
 
+def test_a_drive_that_sways_about_its_set_point_is_steady(pump):
+    scenario, (first, _) = pump
+    speed = 100.0 + 20.0 * np.sin(2 * np.pi * 3.0 * first.time())
+    made, said = with_measured_course([with_speed(first, speed)], scenario.rig)
+    assert (made[0].run.profile, said) == ("steady", ())
+
+
 def test_a_stated_course_stays(pump):
     scenario, (first, _) = pump
     ramp = conditions(with_speed(first, np.linspace(10.0, 100.0, first.samples)), profile="ramp")

@@ -14,10 +14,10 @@ from torquerig.recordings.profiles.tabulated import Tabulated
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 
-_CHANGES = 0.1  # of the largest speed: a drive at one set-point moves by less, with the slip of its load
+_CHANGES = 0.3  # of the largest mean speed of a part: loads make a drive at one set-point sway, its mean moves by less
+_PARTS = 12  # of a recording: each holds some periods of the slowest sway of a drive
 _POINTS = 101  # of a measured course of the speed
 _SHOWS_SPEED = ("motor_angle", "motor_speed")
-_MOST = 0.02  # of the samples, at either end of the range of the speed, are left out
 
 
 def with_occupancy(recordings: Sequence[Recording], rig: Rig) -> tuple[list[Recording], tuple[str, ...]]:
@@ -47,7 +47,8 @@ def with_measured_course(recordings: Sequence[Recording], rig: Rig) -> tuple[lis
     for recording in recordings:
         shown = recording.run.profile == "steady" and any(map(recording.find, _SHOWS_SPEED))
         speed = measured_runs([recording], rig)[0].speed if shown else np.zeros(1)
-        low, high = np.quantile(speed, (_MOST, 1 - _MOST)).tolist()
+        means = [float(part.mean()) for part in np.array_split(speed, min(_PARTS, speed.size))]
+        low, high = min(means), max(means)
         if high - low <= _CHANGES * max(abs(low), abs(high)):
             made.append(recording)
             continue
