@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import pytest
 
 from tests.inference.drawn_runs import drawn_run, ramp, steady
@@ -11,7 +13,7 @@ from torquerig.inference.features.run_features import run_features
 from torquerig.inference.fit import Data
 from torquerig.inference.knobs import Knob
 from torquerig.inference.places import frequency, order
-from torquerig.inference.search import FITTED, competes, most_promising, wins
+from torquerig.inference.search import FITTED, competes, is_instead, most_promising, wins
 from torquerig.inference.undecided_lines import column_of, in_both_domains
 
 LINE = FoundLine(order(3.0), -60.0, -50.0)
@@ -79,3 +81,17 @@ def test_what_wins_a_round_has_been_compared_with_what_it_may_be_instead():
     assert chosen == [first, *same, drag, others[0]]
     assert len(chosen) == FITTED
     assert most_promising([], data) == []
+
+
+def test_names_of_the_same_line_are_fitted_before_nameless_effects_and_with_a_poor_start():
+    """Of a depth and its second harmonic the start can be poor: what a mechanism promises there is no verdict."""
+    place = (order(3.0),)
+    first, *torques = (Addition(kind="line_family", places=place, parts=(SimpleNamespace(at=f"shaft {at}"),), label=at,
+                                variant=at) for at in "abcd")  # fmt: skip
+    ripple = Addition(mechanism="commutation_ripple", places=place, parts=(SimpleNamespace(at="motor"),))
+    seen = run_features(drawn_run(1, speed=steady(1000), orders={3.0: 0.5}), [order(3.0)])
+    data = Data.of([seen])
+    assert ripple in most_promising([first, *torques, ripple], data)[:2]
+    assert is_instead(ripple, [(first, ())], data)
+    assert not is_instead(torques[0], [(first, ())], data)
+    assert not is_instead(ripple, [], data)

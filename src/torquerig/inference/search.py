@@ -72,7 +72,9 @@ def _extended(model: Model, data: Data, held: Data) -> tuple[Model | None, tuple
     ranked = sorted(((*gain, each) for gain, each in zip(gains, free, strict=True)), key=lambda one: -one[0])
     tried = tuple((each, gain) for gain, _, each in ranked)
     slack = -log_prior(model.fit.off)  # that an addition gets back when it makes the discrepancy smaller
-    fits = _fitted(model, data, [(each, start) for gain, start, each in ranked if gain > -slack])
+    passing = [(each, start) for gain, start, each in ranked if gain > -slack]
+    passing += [(each, start) for gain, start, each in ranked if gain <= -slack and is_instead(each, passing, data)]
+    fits = _fitted(model, data, passing)
     best, others = _best([_Candidate.of(one, held) for one in fits], model, data, held)
     if best is None:
         return None, tried
@@ -179,6 +181,12 @@ def competes(one: Addition, other: Addition, data: Data) -> bool:
     return not rows or not others or not rows.isdisjoint(others)
 
 
+def is_instead(each: Addition, passing: Sequence[tuple[Addition, tuple[float, ...]]], data: Data) -> bool:
+    """Return whether a mechanism explains lines of the first hypothesis: it is fitted also where its start is poor."""
+    first = passing[0][0] if passing else None
+    return first is not None and each.is_named and bool(each.places and first.places) and competes(first, each, data)
+
+
 def _explained(one: Model, fits: Sequence[Model]) -> frozenset[str]:
     """Return the other numbers of a round that are near their stated values in a model with its last addition."""
     numbers = frozenset[str]().union(*(each.additions[-1].names for each in fits if not each.additions[-1].parts))
@@ -218,7 +226,7 @@ def _fitted(model: Model, data: Data, screened: Sequence[tuple[Addition, tuple[f
 
 
 def most_promising(ranked: Sequence[Addition], data: Data) -> list[Addition]:
-    """Return ``FITTED`` additions: the first, those that explain lines of it, and one of other things or more.
+    """Return ``FITTED`` additions: the first, those that explain lines of it, names before others, and one or more.
 
     Of one kind and place there is one, of nameless effects whatever shaft they act on. What wins a round must have been
     compared with all that it may be instead; what explains other lines has its round later.
@@ -231,7 +239,8 @@ def most_promising(ranked: Sequence[Addition], data: Data) -> list[Addition]:
     if not different:
         return []
     shares = [bool(each.places and different[0].places) and competes(different[0], each, data) for each in different]
-    instead = [each for each, does in zip(different[1:], shares[1:], strict=True) if does][: FITTED - 2]
+    instead = [each for each, does in zip(different[1:], shares[1:], strict=True) if does]
+    instead = sorted(instead, key=lambda each: not each.is_named)[: FITTED - 2]
     others = [each for each in different[1:] if not any(each is one for one in instead)]
     return _few_numbers([*different[:1], *instead, *others])[:FITTED]
 
