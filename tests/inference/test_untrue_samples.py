@@ -90,6 +90,16 @@ def test_what_the_library_cannot_name_is_a_fault_of_the_samples(pump, monkeypatc
     assert made.faults.lost[0].sum() >= 300
 
 
+def test_a_limit_that_the_library_cannot_name_counts_where_most_blocks_are_at_it(pump, monkeypatch):
+    rig, runs = pump
+    monkeypatch.delattr(mechanisms, "Clipping")
+    limit = float(np.quantile(np.abs(runs[0].torque_values()), 0.6))
+    made = shown(rig, [with_samples(run, lambda volts: np.clip(volts, -limit, limit, out=volts)) for run in runs])
+    assert made.faults.unusable[0].any()
+    assert {fault.mechanism for fault in made.untrue} == {"clipping"}
+    assert verdict(SimpleNamespace(untrue=made.untrue)) == "unexplained"
+
+
 def test_samples_at_a_limit_are_stated(pump):
     rig, runs = pump
     limit = float(np.quantile(np.abs(runs[0].torque_values()), 0.985))

@@ -55,9 +55,11 @@ def samples_as_compared(recordings: Sequence[Recording], rig: Rig, faults: Sampl
     """
     seen = _examined(recordings, rig)
     stuck = {each.name for each, flags in zip(recordings, faults.unusable, strict=True) if flags.any()}
-    unknown = {None, *faults.nameless}
-    untrue = tuple(fault for fault in seen.faults if fault.mechanism in unknown and fault.recording not in stuck)
-    shown = {fault.recording for fault in untrue}
+    untrue = tuple(
+        fault for fault in seen.faults
+        if fault.mechanism in faults.nameless or (fault.mechanism is None and fault.recording not in stuck)
+    )  # fmt: skip
+    shown = {fault.recording for fault in untrue} - stuck
     repaired, lost = [], []
     for row, recording in enumerate(recordings):
         if recording.name in shown:
