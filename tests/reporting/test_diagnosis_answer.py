@@ -58,7 +58,7 @@ def test_an_adequate_answer_says_which_small_residuals_are_left(orders, said):
 def test_a_wrong_set_up_fact_and_a_residual_in_newton_metres_come_from_the_second_engine():
     rms = {"unit": "N*m", "before": 1.69, "after": 0.44}
     answer = diagnosis_answer(data("setup_error", setup=[SCALE], rms=rms), percent=False)
-    assert answer.sentences[0] == "A set-up fact is wrong: sensor scale of torque_sensor is 2, stated is 1.0."
+    assert answer.sentences[0] == "A set-up fact is wrong: sensor scale of torque_sensor is 2, stated is 1."
     assert answer.sentences[1] == "The residual on held-out data falls from 1.69 to 0.44 N m rms."
     assert answer.sentences[-1].startswith("Next: correct the named fact")
 

@@ -98,6 +98,15 @@ def test_alternatives_are_judged_by_class():
     ]  # fmt: skip
 
 
+def test_the_table_of_facts_says_what_each_means():
+    value = {"value": -4096.0, "ci95": [-4096.0, -4096.0], "unit": "1/rev"}
+    fact = {"kind": "counts_per_rev", "of": "encoder", "stated": 4096.0, "estimated": value, "confidence": 0.99,
+            "equivalent_to": ["sensor_sign"], "explanation": "The encoder counts backwards."}  # fmt: skip
+    table = tables.setup_table([fact])
+    assert table.note == "The encoder counts backwards."
+    assert [cell.text for cell in table.rows[0]][2:4] == ["4096", "-4096"]
+
+
 def test_empty_lists_make_no_tables():
     assert tables.unnamed_table([]) is None
     assert tables.setup_table([]) is None

@@ -66,8 +66,8 @@ def _missing(data: Mapping[str, Any]) -> str:
         return nothing_missing(data)
     if verdict == "setup_error":
         first = data["setup"][0]
-        right = _number(first["estimated"])
-        return f"A set-up fact is wrong: {fact_text(first)} is {right}, stated is {first['stated']}."
+        right, stated = _number(first["estimated"], 5), plain(first["stated"], 5)
+        return f"A set-up fact is wrong: {fact_text(first)} is {right}, stated is {stated}."
     if not names:
         return "Something is missing that no mechanism of the library explains."
     rest = "" if verdict == "missing_physics" else " Something more is missing that no mechanism explains."
@@ -157,6 +157,6 @@ def _residual_figure(data: Mapping[str, Any], *, percent: bool) -> LargeFigure:
                        value=ends[0] if same else f"{ends[0]} to {ends[1]}", note=note)  # fmt: skip
 
 
-def _number(value: Mapping[str, Any]) -> str:
+def _number(value: Mapping[str, Any], digits: int = 3) -> str:
     unit = "" if value["unit"] in ("1", "") else f" {value['unit'].replace('*', ' ')}"
-    return f"{plain(value['value'])}{unit}"
+    return f"{plain(value['value'], digits)}{unit}"

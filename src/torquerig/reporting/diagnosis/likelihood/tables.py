@@ -81,6 +81,7 @@ def setup_table(rows: Sequence[Mapping[str, Any]]) -> Table | None:
              *words(", ".join(map(mechanism_text, each["equivalent_to"]))))
             for each in rows
         ),
+        note=" ".join(each["explanation"] for each in rows),
     )  # fmt: skip
 
 
