@@ -29,7 +29,7 @@ def test_an_occupancy_that_is_not_stated_is_that_of_the_scenario(pump):
     runs = [conditions(first, occupancy_percent=None), conditions(second, occupancy_percent=10.0)]
     made, said = with_occupancy(runs, rig)
     assert [each.run.occupancy_percent for each in made] == [40.0, 10.0]
-    assert [each[:50] for each in said] == ["run1.parquet: the sidecar states no occupancy; tha"]
+    assert [each[:50] for each in said] == ["run1.parquet: the sidecar states no occupancy. Tha"]
 
 
 def test_a_rig_whose_load_depends_on_no_occupancy_needs_none(pump):

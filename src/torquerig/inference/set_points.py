@@ -28,6 +28,6 @@ def off_set_points(runs: Sequence[MeasuredRun], *, error: float) -> Iterator[str
         evidence = "its measured angle shows" if run.has_encoder else "the lines of its torque fit"
         counts = ", the counts per turn" if run.has_encoder else ""
         yield (
-            f"{run.name}: the sidecar states {said:.4g} rpm, but {evidence} {rpm:.4g} rpm; the set-point may be off by "
-            f"{100 * error:.3g} %. The diagnosis uses the latter. Check sample_rate_Hz{counts} and the set-point."
+            f"{run.name}: the sidecar states {said:.4g} rpm, but {evidence} {rpm:.4g} rpm. The set-point may be off by "
+            f"{100 * error:.3g} %. The measured speed is used. Check sample_rate_Hz{counts} and the set-point."
         )

@@ -32,7 +32,7 @@ def with_occupancy(recordings: Sequence[Recording], rig: Rig) -> tuple[list[Reco
         for each in recordings
     ]
     return made, tuple(
-        f"{name}: the sidecar states no occupancy; that of the scenario, {percent:g} %, is used. Add "
+        f"{name}: the sidecar states no occupancy. That of the scenario, {percent:g} %, is used. Add "
         "occupancy_percent under run: of the sidecar."
         for name in unstated
     )
@@ -59,8 +59,8 @@ def with_measured_course(recordings: Sequence[Recording], rig: Rig) -> tuple[lis
         run = replace(recording.run, profile="csv", set_points=Tabulated(rows=rows), speed=rows.top)
         made.append(replace(recording, run=run))
         said.append(
-            f"{recording.name}: the sidecar states a steady run, or no profile, but the measured speed goes from "
-            f"{low * 30 / pi:.4g} to {high * 30 / pi:.4g} rpm; its measured course is used. State profile: ramp, "
+            f"{recording.name}: the sidecar states a steady run or no profile, but the measured speed goes from "
+            f"{low * 30 / pi:.4g} to {high * 30 / pi:.4g} rpm. The measured course is used. State profile: ramp, "
             "profile: reversal or set_point: under run: of the sidecar."
         )
     return made, tuple(said)

@@ -51,7 +51,7 @@ def _fault(runs: Sequence[MeasuredRun], sensor: str, *, alike: bool) -> SetupFau
             kind="counts_per_rev", of="encoder", stated=counts, estimated=-counts, unit="1/rev",
             equivalent_to=("sensor_sign",),
             explanation="The encoder counts backwards: its angle turns against the set-points, and the torque agrees "
-            "with the set-points. A set-point without its sign and a sensor of the other sense look the same.",
+            "with the set-points. A set-point without its sign, or a reversed sensor, would look the same.",
         )  # fmt: skip
     return SetupFault(
         kind="sensor_sign", of=sensor, stated=1.0, estimated=-1.0, unit="1",
